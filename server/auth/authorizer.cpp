@@ -3,6 +3,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "jostle/base/check.h"
@@ -250,6 +251,8 @@ Result<Authorizer::Entry> Authorizer::redeem_ticket(std::string_view ticket,
         reason = "the ticket is for another world";
     if (reason.empty() && now.wall >= redeemed.who.expires)
         reason = "the token behind the ticket has expired";
+    if (reason.empty() && !key_is_trusted(redeemed.who))
+        reason = "the key of the token behind the ticket was removed";
     AuditEntry entry = entry_of(redeemed.who, address, now);
     entry.what = "ticket";
     entry.world = redeemed.world_id;
@@ -264,12 +267,32 @@ Result<Authorizer::Entry> Authorizer::redeem_ticket(std::string_view ticket,
         "the ticket is invalid or no longer valid; get a new one from JoinWorld");
 }
 
+// A key is compared by its value: a new key under the name of the old one does not stand for it.
+bool Authorizer::key_is_trusted(const Identity& who) const {
+    if (who.key.empty() || !keys_) return true;
+    return std::ranges::any_of(*keys_->keys(),
+                               [&](const auto& key) { return key.second.id() == who.key; });
+}
+
+Status Authorizer::check_session(const Identity& who, const ClockPair& now) const {
+    if (now.wall >= who.expires)
+        return unauthenticated("the token of the session has expired; resume with a new token");
+    if (!key_is_trusted(who))
+        return unauthenticated(
+            "the key that signed the token of the session was removed; resume with a new token");
+    return {};
+}
+
 void Authorizer::poll(const ClockPair& now) {
-    if (keys_) keys_->poll(now.steady);
+    if (!keys_) return;
+    const auto before = keys_->keys();
+    keys_->poll(now.steady);
+    if (keys_->keys() != before) revision_.fetch_add(1, std::memory_order_release);
 }
 
 void Authorizer::reload() {
     if (keys_) keys_->reload();
+    revision_.fetch_add(1, std::memory_order_release);
     audit_->reopen();
 }
 

@@ -14,6 +14,8 @@
 // resource_exhausted with a time to retry.
 #pragma once
 
+#include <atomic>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -81,6 +83,12 @@ public:
     Result<Entry> redeem_ticket(std::string_view ticket, std::string_view world_id,
                                 std::string_view address, const ClockPair& now = ClockPair::now());
 
+    // Whether a session of this caller may begin or continue: its token has not expired, and the
+    // key that signed it is still trusted. Neither counted nor audited. Errors: unauthenticated.
+    Status check_session(const Identity& who, const ClockPair& now = ClockPair::now()) const;
+    // Changes whenever check_session() may return another result before the token expires.
+    std::uint64_t revision() const { return revision_.load(std::memory_order_acquire); }
+
     // Call about once per second: loads keys that have changed.
     void poll(const ClockPair& now = ClockPair::now());
     // SIGHUP: reloads the keys and reopens the audit log.
@@ -91,6 +99,7 @@ public:
 private:
     Authorizer(const Config& config, std::unique_ptr<KeySet> keys, std::unique_ptr<AuditLog> audit);
 
+    bool key_is_trusted(const Identity& who) const;
     Result<Identity> identify_token(const PeerCredentials& caller, const ClockPair& now);
     void audit_login(const Identity& who, std::string_view address, const ClockPair& now);
     void audit_refusal(const AuditEntry& entry, const ClockPair& now);
@@ -101,6 +110,7 @@ private:
     const std::unique_ptr<AuditLog> audit_;
     Quotas quotas_;
     Tickets tickets_;
+    std::atomic<std::uint64_t> revision_{0};
     std::mutex logins_mutex_;
     LruMap<bool> logins_;  // true: already recorded in the audit log
 };

@@ -29,6 +29,7 @@ struct Identity {
     Role role = Role::none;
     bool anonymous = true;
     WallTime expires = WallTime::max();
+    std::string key;  // VerifyKey::id() of the key that signed the token; empty: no token
     std::vector<std::string> worlds;  // ids or names of the accessible worlds; empty: any world
     std::string token_id;             // "jti" for the audit log; empty: absent
 

@@ -181,8 +181,13 @@ Result<Identity> read_identity(const json& claims) {
     return who;
 }
 
+struct SignedClaims {
+    json claims;
+    std::string key;  // VerifyKey::id()
+};
+
 // The claims, if the signature matches the key named in the header.
-Result<json> read_signed(std::string_view token, const VerifyKeys& keys) {
+Result<SignedClaims> read_signed(std::string_view token, const VerifyKeys& keys) {
     if (token.size() > token_bytes_max) return refused("the token is longer than 8192 bytes");
     const std::optional<Parts> parts = split(token);
     if (!parts) return refused("the token does not have three parts");
@@ -195,22 +200,27 @@ Result<json> read_signed(std::string_view token, const VerifyKeys& keys) {
         return refused("the token's signature is not 64 bytes of base64url");
     if (!(*key)->verifies(parts->signed_text, *signature))
         return refused("the token's signature does not match its key");
-    return read_object(parts->claims, "claims");
+    Result<json> claims = read_object(parts->claims, "claims");
+    if (!claims.ok()) return claims.error();
+    return SignedClaims{*std::move(claims), (*key)->id()};
 }
 
 }  // namespace
 
 Result<Identity> verify_token(std::string_view token, const VerifyKeys& keys,
                               const TokenRules& rules, WallTime now) {
-    const Result<json> claims = read_signed(token, keys);
-    if (!claims.ok()) return claims.error();
-    const Result<Times> times = read_times(*claims);
+    const Result<SignedClaims> read = read_signed(token, keys);
+    if (!read.ok()) return read.error();
+    const json& claims = read->claims;
+    const Result<Times> times = read_times(claims);
     if (!times.ok()) return times.error();
     if (Status s = check_times(*times, rules.leeway, now); !s.ok()) return s.error();
-    if (Status s = check_parties(*claims, rules); !s.ok()) return s.error();
-    Result<Identity> who = read_identity(*claims);
+    if (Status s = check_parties(claims, rules); !s.ok()) return s.error();
+    Result<Identity> who = read_identity(claims);
     ASSERT(times->expires);
-    if (who.ok()) who->expires = *times->expires + rules.leeway;
+    if (!who.ok()) return who;
+    who->expires = *times->expires + rules.leeway;
+    who->key = read->key;
     return who;
 }
 

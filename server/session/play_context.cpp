@@ -39,7 +39,6 @@ void expect_resume(PlayContext& context, const std::shared_ptr<WorldHost>& world
                                     .broadcast = context.broadcast_caches.cache_for(
                                         world, context.config.stream.interest_cell_m),
                                     .network = {},
-                                    .subject = {},
                                     .result_queue = std::make_shared<ResultQueue>(),
                                     .results = {},
                                     .last_sequence = last_sequence,

@@ -37,7 +37,7 @@ std::optional<SessionEnd> end_of_world(const WorldHost& host) {
 }
 
 std::optional<SessionEnd> end_of_session(const SessionTimeouts& timeouts,
-                                         const SessionMetrics& metrics, const SessionResume& resume,
+                                         const SessionMetrics& metrics, SessionResume& resume,
                                          const Outbox& outbox, const JoinedWorld* joined,
                                          Clock::time_point now) {
     if (!joined) {
@@ -47,6 +47,8 @@ std::optional<SessionEnd> end_of_session(const SessionTimeouts& timeouts,
     }
     if (const auto why = metrics.kicked())
         return refused({ErrorCode::permission_denied, "an operator removed the client: " + *why});
+    // Its bodies wait for the client, which may return with a valid token.
+    if (Status s = resume.check_credentials(now); !s.ok()) return refused(s.error(), true);
     if (resume.is_superseded())
         return SessionEnd{
             {ErrorCode::aborted, "the client resumed the session on another connection"},

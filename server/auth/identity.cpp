@@ -26,10 +26,4 @@ std::optional<Role> parse_role(std::string_view name) {
     return static_cast<Role>(at - role_names.begin());
 }
 
-bool Identity::opens(std::string_view world_id, std::string_view world_name) const {
-    if (worlds.empty()) return true;
-    return std::ranges::any_of(
-        worlds, [&](const std::string& world) { return world == world_id || world == world_name; });
-}
-
 }  // namespace jostle::server

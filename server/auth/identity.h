@@ -4,6 +4,7 @@
 // and rights, quotas and audit lines depend on it. A value; any thread.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -37,7 +38,11 @@ struct Identity {
     // whole, whatever its role.
     bool is_limited_to_worlds() const { return !worlds.empty(); }
     // Whether the token opens this world, whatever its role.
-    bool opens(std::string_view world_id, std::string_view world_name) const;
+    bool opens(std::string_view world_id, std::string_view world_name) const {
+        return worlds.empty() || std::ranges::any_of(worlds, [&](const std::string& world) {
+                   return world == world_id || world == world_name;
+               });
+    }
 };
 
 }  // namespace jostle::server

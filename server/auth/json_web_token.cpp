@@ -8,6 +8,7 @@
 #include "jostle/base/base64.h"
 #include "jostle/base/check.h"
 #include "server/auth/strict_json.h"
+#include "server/util/text.h"
 
 namespace jostle::server {
 
@@ -102,6 +103,10 @@ Status check_times(const Times& times, seconds leeway, WallTime now) {
         return refused("the token was issued (iat) in the future");
     if (times.issued && *times.expires - *times.issued > token_life_max)
         return refused("the token is valid for more than 24 hours (iat to exp)");
+    if (times.issued && *times.issued > *times.expires)
+        return refused("the token expires (exp) before it was issued (iat)");
+    if (times.begins && *times.begins > *times.expires)
+        return refused("the token expires (exp) before it is valid (nbf)");
     if (times.begins && *times.begins > now + leeway)
         return refused("the token is not valid yet (nbf)");
     return {};
@@ -131,6 +136,8 @@ Status check_subject(const std::string* subject) {
     if (!subject || subject->empty()) return refused("the token has no subject (sub)");
     if (subject->size() > subject_bytes_max)
         return refused("the token's subject is longer than 128 bytes");
+    if (has_control_character(*subject))
+        return refused("the token's subject contains a control character");
     if (*subject == anonymous_subject || subject->starts_with(certificate_prefix))
         return refused("the token's subject is reserved for the server");
     return {};
@@ -142,6 +149,8 @@ Result<std::string> option_of(const json& claims, const char* name) {
     const std::string* text = string_member(claims, name);
     if (!text || text->empty() || text->size() > subject_bytes_max)
         return refused(std::string("the token's ") + name + " is not a string of 1 to 128 bytes");
+    if (has_control_character(*text))
+        return refused(std::string("the token's ") + name + " contains a control character");
     return *text;
 }
 

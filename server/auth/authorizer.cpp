@@ -84,6 +84,8 @@ AuditEntry entry_of(const Identity& who, const AccessRequest& request, const Clo
     entry.what = row ? name_of(row->kind) : "unknown";
     entry.call = request.call;
     entry.world = request.world.id;
+    entry.target = request.target;
+    entry.reason = request.reason;
     return entry;
 }
 
@@ -130,6 +132,11 @@ Status check_rights(const Identity& who, const AccessRow* row, const WorldTarget
     return check_owner(who, *row, world);
 }
 
+// Next to the database, because bans outlive the process as worlds do.
+std::string bans_file(const PersistenceSettings& persistence) {
+    return persistence.is_on() ? persistence.database + ".bans.json" : std::string();
+}
+
 std::string_view reason_of(TicketStatus ticket_status) {
     switch (ticket_status) {
         case TicketStatus::good:
@@ -155,17 +162,21 @@ Result<std::unique_ptr<Authorizer>> Authorizer::open(const Config& config) {
     }
     Result<std::unique_ptr<AuditLog>> audit = AuditLog::open(config.auth.audit_log);
     if (!audit.ok()) return audit.error();
-    return std::unique_ptr<Authorizer>(new Authorizer(config, std::move(keys), std::move(*audit)));
+    Result<std::unique_ptr<BanList>> bans = BanList::open(bans_file(config.persistence));
+    if (!bans.ok()) return bans.error();
+    return std::unique_ptr<Authorizer>(
+        new Authorizer(config, std::move(keys), std::move(*audit), std::move(*bans)));
 }
 
 Authorizer::Authorizer(const Config& config, std::unique_ptr<KeySet> keys,
-                       std::unique_ptr<AuditLog> audit)
+                       std::unique_ptr<AuditLog> audit, std::unique_ptr<BanList> bans)
     : rules_{.issuer = config.auth.issuer,
              .audience = config.auth.audience,
              .leeway = std::chrono::seconds(config.auth.leeway_seconds)},
       anonymous_role_(parse_role(anonymous_role(config)).value_or(Role::none)),
       keys_(std::move(keys)),
       audit_(std::move(audit)),
+      bans_(std::move(bans)),
       quotas_(config.quota),
       logins_(logins_max) {}
 
@@ -208,6 +219,7 @@ Result<Identity> Authorizer::identify_token(const PeerCredentials& caller, const
 Status Authorizer::admit(const Identity& who, const AccessRequest& request, const ClockPair& now) {
     const AccessRow* row = find_call(request.call);
     Status status = check_rights(who, row, request.world, now);
+    if (status.ok()) status = check_ban(who, row, request.address, now.wall);
     if (const std::optional<QuotaCharge> charge = row ? quota_for(row->kind) : std::nullopt;
         status.ok() && charge) {
         const Quotas::QuotaDecision quota = quotas_.take(charge->work, quota_subject_of(who),
@@ -258,6 +270,13 @@ Result<Authorizer::Entry> Authorizer::redeem_ticket(std::string_view ticket,
     entry.world = redeemed.world_id;
     entry.outcome = reason.empty() ? "granted" : "refused";
     entry.reason = reason;
+    const Status ban = check_ban(redeemed.who, nullptr, address, now.wall);
+    if (reason.empty() && !ban.ok()) {
+        entry.outcome = "refused";
+        entry.reason = ban.error().message;
+        audit_refusal(entry, now);
+        return ban.error();
+    }
     if (reason.empty()) {
         audit_->record(entry);
         return Entry{std::move(redeemed.who), std::move(redeemed.world_id)};
@@ -274,7 +293,20 @@ bool Authorizer::key_is_trusted(const Identity& who) const {
                                [&](const auto& key) { return key.second.id() == who.key; });
 }
 
-Status Authorizer::check_session(const Identity& who, const ClockPair& now) const {
+// `row`: null for a play session.
+Status Authorizer::check_ban(const Identity& who, const AccessRow* row, std::string_view address,
+                             WallTime now) const {
+    if (row && row->kind == CallKind::open) return {};
+    const std::optional<Ban> ban = bans_->find(quota_subject_of(who), address, now);
+    if (!ban) return {};
+    const bool is_operator = row && row->kind == CallKind::admin && who.role == Role::admin;
+    if (is_operator && ban->target.network) return {};
+    return denied(refusal_text(*ban));
+}
+
+Status Authorizer::check_session(const Identity& who, std::string_view address,
+                                 const ClockPair& now) const {
+    if (Status s = check_ban(who, nullptr, address, now.wall); !s.ok()) return s;
     if (now.wall >= who.expires)
         return unauthenticated("the token of the session has expired; resume with a new token");
     if (!key_is_trusted(who))

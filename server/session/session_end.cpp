@@ -47,8 +47,9 @@ std::optional<SessionEnd> end_of_session(const SessionTimeouts& timeouts,
     }
     if (const auto why = metrics.kicked())
         return refused({ErrorCode::permission_denied, "an operator removed the client: " + *why});
-    // Its bodies wait for the client, which may return with a valid token.
-    if (Status s = resume.check_credentials(now); !s.ok()) return refused(s.error(), true);
+    // Without valid credentials the client may return with a new token; a banned one may not.
+    if (Status s = resume.check_credentials(now); !s.ok())
+        return refused(s.error(), s.error().code == ErrorCode::unauthenticated);
     if (resume.is_superseded())
         return SessionEnd{
             {ErrorCode::aborted, "the client resumed the session on another connection"},

@@ -74,7 +74,7 @@ Status SessionResume::prove_identity(const Hello& hello, const ResumeHolder& hol
                          "hello.resume.token: the session belongs to another subject"};
         holder_.who = *std::move(who);
     }
-    return context_.authorizer.check_session(holder_.who);
+    return context_.authorizer.check_session(holder_.who, peer_.address);
 }
 
 SessionResume::Attempt SessionResume::claimed(ResumeRegistry::Claim claim, const Hello& hello,
@@ -134,7 +134,7 @@ Status SessionResume::check_credentials(Clock::time_point now) {
     if (now < next_check_ && revision == checked_revision_) return {};
     next_check_ = now + credential_check_interval;
     checked_revision_ = revision;
-    return context_.authorizer.check_session(holder_.who);
+    return context_.authorizer.check_session(holder_.who, peer_.address);
 }
 
 SessionResume::Attempt SessionResume::wait(const Hello& hello) {

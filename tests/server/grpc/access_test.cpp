@@ -232,10 +232,22 @@ TEST_F(AccessTest, token_for_one_world_sees_and_administrates_only_that_world) {
         EXPECT_EQ(call(admin_service + name, "theirs", token), grpc::StatusCode::PERMISSION_DENIED)
             << name;
     EXPECT_EQ(call(admin_service + "Drain", "", token), grpc::StatusCode::PERMISSION_DENIED);
+    for (const char* name : {"Ban", "Unban", "ListBans"})
+        EXPECT_EQ(call(admin_service + name, "eve", token), grpc::StatusCode::PERMISSION_DENIED);
     EXPECT_EQ(call("/jostle.v1.WorldService/CreateWorld", "", token),
               grpc::StatusCode::PERMISSION_DENIED);
     EXPECT_EQ(call("/jostle.v1.WorldService/DeleteWorld", "theirs", token),
               grpc::StatusCode::PERMISSION_DENIED);
+}
+
+TEST_F(AccessTest, audits_bans_with_their_subject) {
+    const std::string token = token_of({"anna", "admin", Role::admin});
+    EXPECT_EQ(call("/jostle.v1.AdminService/Ban", "eve", token), grpc::StatusCode::OK);
+    EXPECT_EQ(
+        call("/jostle.v1.WorldService/ListWorlds", "", token_of({"eve", "player", Role::player})),
+        grpc::StatusCode::PERMISSION_DENIED);
+    EXPECT_EQ(audited("done", "jostle.v1.AdminService/Ban"), 1);
+    EXPECT_NE(folder.read("audit.jsonl").find(R"("target":"subject eve")"), std::string::npos);
 }
 
 TEST_F(AccessTest, rejects_and_audits_forged_and_expired_tokens) {

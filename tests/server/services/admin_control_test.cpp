@@ -133,6 +133,62 @@ TEST_F(AdminControlTest, administrator_of_another_world_neither_sees_nor_removes
     EXPECT_TRUE(player.link.end());
 }
 
+TEST_F(AdminControlTest, ban_ends_sessions_and_refuses_new_ones_until_it_is_removed) {
+    Player player(context);
+    v1::BanRequest request;
+    v1::BanResponse response;
+    request.set_network("::ffff:10.0.0.0/104");
+    request.set_reason("spamming");
+    request.set_duration_seconds(3600);
+    ASSERT_TRUE(control.ban(request, response, anyone).ok());
+    EXPECT_EQ(response.ban().network(), "10.0.0.0/8");
+    EXPECT_EQ(response.ban().expires().size(), 24u);
+    EXPECT_FALSE(response.persisted());
+    player.listen();
+    ASSERT_TRUE(player.link.end());
+    EXPECT_EQ(player.link.end()->error().code, ErrorCode::permission_denied);
+    EXPECT_EQ(player.notice,
+              "this network is banned until " + response.ban().expires() + ": spamming");
+    EXPECT_EQ(context.resume_registry.disconnected(), 0u) << "the session cannot be resumed";
+    Player again(context);
+    ASSERT_TRUE(again.link.end());
+    EXPECT_EQ(again.notice, player.notice);
+    v1::ListBansResponse listed;
+    ASSERT_TRUE(control.list_bans({}, listed).ok());
+    ASSERT_EQ(listed.bans_size(), 1);
+    EXPECT_EQ(listed.bans(0).reason(), "spamming");
+    v1::UnbanRequest removal;
+    v1::UnbanResponse removed;
+    removal.set_network("10.0.0.0/8");
+    ASSERT_TRUE(control.unban(removal, removed).ok());
+    EXPECT_EQ(error_of(control.unban(removal, removed)).code, ErrorCode::not_found);
+    Player third(context);
+    EXPECT_FALSE(third.link.end());
+}
+
+TEST_F(AdminControlTest, rejects_invalid_bans) {
+    const Identity boss{.subject = "boss", .role = Role::admin, .anonymous = false};
+    v1::BanResponse response;
+    const auto code = [&](const std::function<void(v1::BanRequest&)>& change) {
+        v1::BanRequest request;
+        request.set_subject("eve");
+        change(request);
+        return error_of(control.ban(request, response, boss)).code;
+    };
+    using R = v1::BanRequest;
+    EXPECT_EQ(code([](R& r) { r.clear_subject(); }), ErrorCode::invalid_argument);
+    EXPECT_EQ(code([](R& r) { r.set_subject("boss"); }), ErrorCode::invalid_argument);
+    EXPECT_EQ(code([](R& r) { r.set_subject("anonymous"); }), ErrorCode::invalid_argument);
+    EXPECT_EQ(code([](R& r) { r.set_network("10.0.0.1/8"); }), ErrorCode::invalid_argument);
+    EXPECT_EQ(code([](R& r) { r.set_reason("a\nb"); }), ErrorCode::invalid_argument);
+    for (const double seconds : {-1.0, 1e9, std::nan("")})
+        EXPECT_EQ(code([&](R& r) { r.set_duration_seconds(seconds); }),
+                  ErrorCode::invalid_argument);
+    v1::ListBansResponse listed;
+    ASSERT_TRUE(control.list_bans({}, listed).ok());
+    EXPECT_EQ(listed.bans_size(), 0);
+}
+
 TEST_F(AdminControlTest, pauses_steps_and_resumes_a_world) {
     v1::StepWorldRequest step;
     v1::StepWorldResponse stepped;

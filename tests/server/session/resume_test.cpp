@@ -438,6 +438,24 @@ TEST_F(ResumeTest, session_ends_with_its_token_and_resumes_with_a_new_one) {
     EXPECT_EQ(resumed.client_id(), joined.client_id());
 }
 
+TEST_F(ResumeTest, banned_client_neither_continues_nor_resumes) {
+    const std::string ticket = Ticketed::ticket_of(server, *world, Ticketed::player("ann"));
+    Attempt session(server, "", ticket), other(server, "", "");
+    const v1::Welcome joined = session.welcome(server);
+    session.session.on_peer_closed(server.now);
+    ASSERT_EQ(server.context.resume_registry.disconnected(), 1u);
+    const auto wall = std::chrono::system_clock::now();
+    ASSERT_TRUE(
+        server.authorizer->bans().add({.target = {"ann", {}}, .reason = "spamming"}, wall).ok());
+    EXPECT_EQ(Attempt(server, joined.resume_token(), ticket).refusal(),
+              "the subject of the token is banned: spamming");
+    other.session.take_message(server.now);
+    EXPECT_FALSE(other.session.end());
+    ASSERT_TRUE(server.authorizer->bans().remove({"ann", {}}, wall).ok());
+    Attempt again(server, joined.resume_token(), ticket);
+    EXPECT_TRUE(again.welcome(server).resumed());
+}
+
 TEST_F(ResumeTest, client_of_an_earlier_process_shows_its_ticket_again) {
     const std::string secret(32, 's'), ticket(32, 'a');
     server.context.resume_registry.use_secret(secret);

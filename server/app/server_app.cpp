@@ -110,7 +110,8 @@ private:
     Metrics metrics_;
     RpcMetrics rpc_metrics_{metrics_};
     FrameNotifier notifier_;
-    SessionDirectory sessions_{config_.world.clients_max, config_.world.clients_per_address_max};
+    SessionDirectory sessions_{config_.world.clients_max, config_.world.clients_per_address_max,
+                               config_.limits.sessions_per_subject};
     WorldHostSettings world_settings_;
     std::unique_ptr<WorldArchive> archive_;  // null: worlds end with the process
     std::unique_ptr<WorldDirectory> worlds_;

@@ -70,7 +70,8 @@ Result<std::unique_ptr<JoinedWorld>> join_as_new(const JoinedWorld::Parts& parts
         admit_to_world(parts.context, parts.peer, hello, parts.resume.redeemed_ticket());
     if (!admitted.ok()) return admitted.error();
     const Result<ClientId> client =
-        acquire_client_id(parts.context, *admitted->world, parts.peer.address);
+        acquire_client_id(parts.context, *admitted->world, parts.peer.address,
+                          admitted->who.anonymous ? std::string() : admitted->who.subject);
     if (!client.ok()) return client.error();
     parts.metrics.set_subject(admitted->who.subject);
     parts.resume.set_holder({admitted->who, admitted->ticket, hello.spectator});
@@ -250,6 +251,8 @@ Result<std::unique_ptr<JoinedWorld>> enter_world(const JoinedWorld::Parts& parts
     }
     ASSERT(attempt.client.has_value());
     parts.metrics.set_subject(parts.resume.who().subject);
+    if (!parts.resume.who().anonymous)
+        parts.context.sessions.set_subject(attempt.client->client, parts.resume.who().subject);
     DisconnectedClient& lost = *attempt.client;
     return join(parts, lost.client, nullptr, hello, &lost, now);
 }

@@ -154,18 +154,33 @@ std::vector<DisconnectedClient> ResumeRegistry::take_expired(Clock::time_point n
     return expired;
 }
 
-std::optional<DisconnectedClient> ResumeRegistry::take_oldest(const std::string& network) {
-    const std::lock_guard lock(mutex_);
+// Call with the mutex locked.
+template <class Filter>
+std::optional<DisconnectedClient> ResumeRegistry::take_oldest_if(Filter&& filter) {
     auto oldest = entries_.end();
     for (auto at = entries_.begin(); at != entries_.end(); ++at) {
         const Entry& entry = at->second;
-        if (!entry.client || (!network.empty() && entry.client->network != network)) continue;
+        if (!entry.client || !filter(entry)) continue;
         if (oldest == entries_.end() || entry.until < oldest->second.until) oldest = at;
     }
     if (oldest == entries_.end()) return std::nullopt;
     std::optional<DisconnectedClient> client = std::move(*oldest->second.client);
     entries_.erase(oldest);
     return client;
+}
+
+std::optional<DisconnectedClient> ResumeRegistry::take_oldest(const std::string& network) {
+    const std::lock_guard lock(mutex_);
+    return take_oldest_if(
+        [&](const Entry& entry) { return network.empty() || entry.client->network == network; });
+}
+
+std::optional<DisconnectedClient> ResumeRegistry::take_oldest_of(const std::string& subject) {
+    const std::lock_guard lock(mutex_);
+    return take_oldest_if([&](const Entry& entry) {
+        const Identity& who = entry.resume_session->holder.who;
+        return !who.anonymous && who.subject == subject;
+    });
 }
 
 std::size_t ResumeRegistry::disconnected() const {

@@ -114,6 +114,8 @@ public:
     // Takes the client that was suspended first, to make room. `network`: only clients of this
     // network; empty: all.
     std::optional<DisconnectedClient> take_oldest(const std::string& network);
+    // The same among the clients of an authenticated subject.
+    std::optional<DisconnectedClient> take_oldest_of(const std::string& subject);
     std::size_t disconnected() const;
 
 private:
@@ -127,6 +129,8 @@ private:
         ClientId client = 0;
         ResumeHolder holder;
     };
+    template <class Filter>
+    std::optional<DisconnectedClient> take_oldest_if(Filter&& filter);
     const Entry* find_entry(std::string_view token) const;
     std::optional<Expected> find_expected(std::string_view token, WallTime now) const;
 

@@ -57,6 +57,9 @@ std::optional<SessionEnd> end_of_session(const SessionTimeouts& timeouts,
             true};
     if (std::optional<Error> error = timeouts.client_timeout(now))
         return refused(*std::move(error), true);
+    if (!joined->inputs().is_spectator())
+        if (std::optional<Error> error = timeouts.idle_timeout(now))
+            return refused(*std::move(error));
     if (std::optional<SessionEnd> end = end_of_world(joined->host())) return end;
     if (outbox.replies() <= replies_max && joined->inputs().results().size() <= results_max)
         return std::nullopt;

@@ -40,7 +40,8 @@ protected:
                        .anonymous_role = "none",
                        .audit_log = folder / "audit.jsonl"};
         config.quota.creates_per_minute = config.quota.joins_per_minute =
-            config.quota.queries_per_second = config.quota.refused_logins_per_minute = 1e6;
+            config.quota.queries_per_second = config.quota.refused_logins_per_minute =
+                config.quota.refusals_audited_per_minute = 1e6;
         authorizer = *Authorizer::open(config);
         context.reset(new PlayContext{
             .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *authorizer});

@@ -484,6 +484,51 @@ TEST_F(ResumeTest, client_of_an_earlier_process_shows_its_ticket_again) {
     EXPECT_EQ(resumed.client_id(), 77u);
 }
 
+TEST(SessionLimits, idle_players_are_disconnected_and_spectators_stay) {
+    Config config;
+    config.limits.idle_kick_seconds = 1;
+    TestServer server(config);
+    const auto world = server.host(test::small_scene());
+    SessionHarness idle(server, {.name = "idle", .reconnect = false}),
+        active(server, {.name = "active"}), watcher(server, {.name = "watcher", .spectator = true});
+    for (int half_second = 0; half_second < 6; half_second++) {
+        active.conversation.send(falling_ball(half_second));
+        test::play(server, *world, {&idle, &active, &watcher}, 30);
+        EXPECT_EQ(idle.session->end().has_value(), half_second >= 2) << half_second;
+    }
+    EXPECT_EQ(idle.session->end()->error().code, ErrorCode::deadline_exceeded);
+    EXPECT_FALSE(active.session->end());
+    EXPECT_FALSE(watcher.session->end());
+    EXPECT_EQ(server.sessions.clients(), 2);
+    EXPECT_EQ(server.context.resume_registry.disconnected(), 0u);
+}
+
+TEST(SessionLimits, further_session_of_a_subject_replaces_only_a_suspended_one) {
+    Config config;
+    config.limits.sessions_per_subject = 1;
+    TestServer server(config);
+    const auto world = server.host(test::small_scene());
+    const auto join = [&](const char* subject) {
+        return std::make_unique<Attempt>(
+            server, "", Ticketed::ticket_of(server, *world, Ticketed::player(subject)));
+    };
+    const auto first = join("ann"), second = join("ann"), other = join("bob");
+    const ClientId id = first->welcome(server).client_id();
+    EXPECT_EQ(second->refusal(),
+              "the subject of the token already has 1 session, the maximum "
+              "(limits.sessions_per_subject); end another one first");
+    EXPECT_FALSE(first->session.end());
+    EXPECT_FALSE(other->session.end());
+    first->session.on_peer_closed(server.now);
+    EXPECT_EQ(server.context.resume_registry.disconnected(), 1u);
+    const auto third = join("ann");
+    EXPECT_GT(third->welcome(server).client_id(), id);
+    EXPECT_EQ(server.context.resume_registry.disconnected(), 0u) << "the suspended session left";
+    const Attempt anonymous(server, "", ""), another(server, "", "");
+    EXPECT_FALSE(anonymous.session.end());
+    EXPECT_FALSE(another.session.end()) << "anonymous callers are not counted";
+}
+
 TEST(ResumeWithKeys, session_ends_when_its_key_is_removed) {
     const test::TempFolder folder;
     const test::LoginService login, other{.key_id = "second"};

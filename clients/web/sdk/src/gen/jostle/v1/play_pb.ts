@@ -2075,7 +2075,7 @@ export const PlayService: GenService<{
    *                        in a stream without one
    *   INVALID_ARGUMENT     a malformed message, or a value of Hello, Interest or InputBatch out of range
    *   NOT_FOUND            no such world
-   *   UNAUTHENTICATED, PERMISSION_DENIED  the token or ticket is invalid or has expired, or its role does not allow this
+   *   UNAUTHENTICATED, PERMISSION_DENIED  the token or ticket is invalid or expired, or its role does not allow this
    *   RESOURCE_EXHAUSTED   a message that is too large, or a limit of the server on messages or streams
    *   UNAVAILABLE          the server shuts down or the world closes
    *

@@ -8,6 +8,7 @@
 #include "jostle/scenes/catalog.h"
 #include "server/app/health_probe.h"
 #include "server/app/server_app.h"
+#include "server/app/start_guard.h"
 #include "server/config/config_loader.h"
 #include "server/config/exposure.h"
 #include "server/util/log.h"
@@ -148,6 +149,7 @@ int main(int argc, char** argv) {
         return 2;
     }
     if (flags.health) return jostle::server::run_health_probe(config);
+    jostle::server::begin_start_guard();
     jostle::server::start_log({.level = config.log_level, .json = config.log_format == "json"});
     const int status = jostle::server::run_server(config, flags.port_file, JOSTLE_VERSION);
     jostle::server::stop_log();

@@ -62,7 +62,7 @@ def sign(options):
     claims = {"iss": options.issuer, "aud": options.audience, "sub": options.subject, "role": options.role, "iat": now,
               "exp": now + round(3600 * options.hours)}
     if options.world:
-        claims["world"] = options.world
+        claims["world"] = options.world[0] if len(options.world) == 1 else options.world
     header = {"alg": "ES256", "kid": public_key(options.key)[2]}
     signed = ".".join(encode(json.dumps(part, separators=(",", ":")).encode()) for part in (header, claims))
     print(f"{signed}.{encode(raw_signature(openssl('dgst', '-sha256', '-sign', options.key, data=signed.encode())))}")
@@ -79,7 +79,8 @@ def main():
     command.add_argument("key", metavar="KEY.pem")
     command.add_argument("--subject", required=True, help="who the token is for")
     command.add_argument("--role", required=True, choices=["viewer", "player", "director", "admin"])
-    command.add_argument("--world", help="id or name of the only world that the token opens")
+    command.add_argument("--world", action="append",
+                         help="id or name of a world that the token opens; repeat it for several [any world]")
     command.add_argument("--hours", type=float, default=8, help="lifetime, at most 24 [default: 8]")
     command.add_argument("--issuer", default="https://login.example.org", help="auth.issuer [default: %(default)s]")
     command.add_argument("--audience", default="jostle", help="auth.audience [default: %(default)s]")

@@ -17,6 +17,7 @@
 #include "server/app/maintenance_thread.h"
 #include "server/app/service_manager.h"
 #include "server/app/shutdown.h"
+#include "server/app/start_guard.h"
 #include "server/app/start_worlds.h"
 #include "server/grpc/call_method.h"
 #include "server/grpc/grpc_server.h"
@@ -110,7 +111,8 @@ private:
     Metrics metrics_;
     RpcMetrics rpc_metrics_{metrics_};
     FrameNotifier notifier_;
-    SessionDirectory sessions_{config_.world.clients_max, config_.world.clients_per_address_max};
+    SessionDirectory sessions_{config_.world.clients_max, config_.world.clients_per_address_max,
+                               config_.limits.sessions_per_subject};
     WorldHostSettings world_settings_;
     std::unique_ptr<WorldArchive> archive_;  // null: worlds end with the process
     std::unique_ptr<WorldDirectory> worlds_;
@@ -266,6 +268,7 @@ void ServerApp::Impl::run() {
         *authorizer_, certificates_.get(),
         [this] { remove_expired_clients(*context_, Clock::now()); },
         [this] { return !failure_reason(); });
+    end_start_guard();
     notify_ready(fmt::format("gRPC on {}:{}, {} worlds", parse_host_port(config_.listen)->host,
                              ports_.grpc, worlds_->list().size()));
     shutdown_.wait(config_.drain_timeout_seconds, *grpc_, *http_, *context_);

@@ -11,10 +11,11 @@ namespace jostle::server {
 namespace {
 
 using enum CallKind;
-constexpr Scope server = Scope::server, any_world = Scope::any_world, own_world = Scope::own_world;
+constexpr Scope none = Scope::none, server = Scope::server, token_worlds = Scope::token_worlds,
+                any_world = Scope::any_world, own_world = Scope::own_world;
 
 constexpr AccessRow table[] = {
-    {"jostle.v1.WorldService/ListWorlds", read, Role::viewer, server},
+    {"jostle.v1.WorldService/ListWorlds", read, Role::viewer, token_worlds},
     {"jostle.v1.WorldService/GetWorld", read, Role::viewer, any_world},
     {"jostle.v1.WorldService/CreateWorld", create, Role::director, server},
     {"jostle.v1.WorldService/DeleteWorld", remove, Role::director, own_world},
@@ -25,22 +26,25 @@ constexpr AccessRow table[] = {
     {"jostle.v1.QueryService/Overlap", query, Role::viewer, any_world},
     {"jostle.v1.QueryService/ClosestPoints", query, Role::viewer, any_world},
     {"jostle.v1.QueryService/Debug", query, Role::viewer, any_world},
-    {"jostle.v1.AdminService/ListClients", admin, Role::admin, server},
-    {"jostle.v1.AdminService/Kick", admin, Role::admin, server},
+    {"jostle.v1.AdminService/ListClients", admin, Role::admin, token_worlds},
+    {"jostle.v1.AdminService/Kick", admin, Role::admin, token_worlds},
+    {"jostle.v1.AdminService/Ban", admin, Role::admin, server},
+    {"jostle.v1.AdminService/Unban", admin, Role::admin, server},
+    {"jostle.v1.AdminService/ListBans", admin, Role::admin, server},
     {"jostle.v1.AdminService/SetPaused", admin, Role::admin, any_world},
     {"jostle.v1.AdminService/StepWorld", admin, Role::admin, any_world},
     {"jostle.v1.AdminService/ExportWorld", admin, Role::admin, any_world},
     {"jostle.v1.AdminService/RewindWorld", admin, Role::admin, any_world},
     {"jostle.v1.AdminService/Drain", admin, Role::admin, server},
     {"jostle.v1.AdminService/Profile", admin, Role::admin, any_world},
-    {"grpc.health.v1.Health/Check", open, Role::none, server},
-    {"grpc.health.v1.Health/Watch", open, Role::none, server},
-    {"grpc.reflection.v1.ServerReflection/ServerReflectionInfo", read, Role::viewer, server},
-    {"grpc.reflection.v1alpha.ServerReflection/ServerReflectionInfo", read, Role::viewer, server},
+    {"grpc.health.v1.Health/Check", open, Role::none, none},
+    {"grpc.health.v1.Health/Watch", open, Role::none, none},
+    {"grpc.reflection.v1.ServerReflection/ServerReflectionInfo", read, Role::viewer, none},
+    {"grpc.reflection.v1alpha.ServerReflection/ServerReflectionInfo", read, Role::viewer, none},
 
     {play_inputs, inputs, Role::player, any_world},
 
-    {"GET /api/worlds", read, Role::viewer, server},
+    {"GET /api/worlds", read, Role::viewer, token_worlds},
     {"GET /api/worlds/{id}", read, Role::viewer, any_world},
     {"POST /api/worlds", create, Role::director, server},
     {"DELETE /api/worlds/{id}", remove, Role::director, own_world},
@@ -49,14 +53,14 @@ constexpr AccessRow table[] = {
     {"POST /api/worlds/{id}/resume", admin, Role::director, own_world},
     {"POST /api/query/{method}", query, Role::viewer, any_world},
     {"GET /play", play, Role::viewer, any_world},
-    {"GET /healthz", open, Role::none, server},
-    {"GET /readyz", open, Role::none, server},
+    {"GET /healthz", open, Role::none, none},
+    {"GET /readyz", open, Role::none, none},
     // The admin listener is on loopback or requires a client certificate. Metrics identify no
     // client.
-    {"GET /metrics", open, Role::none, server},
+    {"GET /metrics", open, Role::none, none},
     {"GET /debug/profile", admin, Role::admin, any_world},
     // Must be last: it matches every path that no other row matches.
-    {"GET /{file}", open, Role::none, server},
+    {"GET /{file}", open, Role::none, none},
 };
 
 constexpr std::string_view viewer_files = "GET /{file}";

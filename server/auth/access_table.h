@@ -21,9 +21,11 @@ std::string_view name_of(CallKind kind);
 
 // The object of a call.
 enum class Scope {
-    server,     // no world, or all worlds
-    any_world,  // one world, of any owner
-    own_world,  // one world; callers below admin must own it
+    none,          // the API itself or its health; a token for certain worlds suffices
+    server,        // the server as a whole; refused to tokens that are limited to certain worlds
+    token_worlds,  // every world that the token opens; the handler skips all others
+    any_world,     // one world, of any owner
+    own_world,     // one world; callers below admin must own it
 };
 
 struct AccessRow {

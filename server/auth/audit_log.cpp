@@ -51,6 +51,7 @@ std::string audit_line(const AuditEntry& e) {
           std::pair("token_id", e.token_id), std::pair("address", e.address),
           std::pair("call", e.call), std::pair("world", e.world), std::pair("reason", e.reason)})
         json[name] = std::string(clip_utf8(text, text_bytes_max));
+    if (!e.target.empty()) json["target"] = std::string(clip_utf8(e.target, text_bytes_max));
     return to_line(json);
 }
 

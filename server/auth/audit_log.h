@@ -29,7 +29,8 @@ struct AuditEntry {
     std::string_view outcome;  // granted, refused, done, failed
     std::string_view subject, role, token_id;
     std::string_view address, call, world;
-    std::string_view reason;  // of a refusal or a failure
+    std::string_view reason;  // of a refusal or a failure, or an operator's
+    std::string_view target;  // what else a call refers to, such as "client 7"; empty: omitted
 };
 
 // One line, including the newline.

@@ -3,6 +3,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <optional>
 
 #include "jostle/base/check.h"
@@ -83,6 +84,8 @@ AuditEntry entry_of(const Identity& who, const AccessRequest& request, const Clo
     entry.what = row ? name_of(row->kind) : "unknown";
     entry.call = request.call;
     entry.world = request.world.id;
+    entry.target = request.target;
+    entry.reason = request.reason;
     return entry;
 }
 
@@ -93,13 +96,24 @@ Status check_role(const Identity& who, const AccessRow& row) {
     return denied(fmt::format("{}; your role is {}", needed, name_of(who.role)));
 }
 
-// A token for one world gives access to no other world and cannot create one.
-Status check_world_of_token(const Identity& who, const AccessRow& row, const WorldTarget& world) {
-    if (who.world.empty()) return {};
-    const bool is_it = who.world == world.id || who.world == world.name;
-    if (row.kind == CallKind::create || (row.scope != Scope::server && !is_it))
-        return denied("the token is for another world");
-    return {};
+// A token for certain worlds gives access to no other world and to nothing that affects the server
+// as a whole: an administrator of one world is not an administrator of the server.
+Status check_worlds_of_token(const Identity& who, const AccessRow& row, const WorldTarget& world) {
+    if (!who.is_limited_to_worlds()) return {};
+    switch (row.scope) {
+        case Scope::none:
+        case Scope::token_worlds:
+            return {};
+        case Scope::server:
+            return denied(
+                "this call concerns the entire server; the token is limited to certain worlds "
+                "(claim world)");
+        case Scope::any_world:
+        case Scope::own_world:
+            break;
+    }
+    if (who.opens(world.id, world.name)) return {};
+    return denied("the token is for another world");
 }
 
 Status check_owner(const Identity& who, const AccessRow& row, const WorldTarget& world) {
@@ -114,8 +128,13 @@ Status check_rights(const Identity& who, const AccessRow* row, const WorldTarget
     if (row->kind == CallKind::open) return {};
     if (now.wall >= who.expires) return unauthenticated("the token has expired");
     if (Status s = check_role(who, *row); !s.ok()) return s;
-    if (Status s = check_world_of_token(who, *row, world); !s.ok()) return s;
+    if (Status s = check_worlds_of_token(who, *row, world); !s.ok()) return s;
     return check_owner(who, *row, world);
+}
+
+// Next to the database, because bans outlive the process as worlds do.
+std::string bans_file(const PersistenceSettings& persistence) {
+    return persistence.is_on() ? persistence.database + ".bans.json" : std::string();
 }
 
 std::string_view reason_of(TicketStatus ticket_status) {
@@ -143,17 +162,21 @@ Result<std::unique_ptr<Authorizer>> Authorizer::open(const Config& config) {
     }
     Result<std::unique_ptr<AuditLog>> audit = AuditLog::open(config.auth.audit_log);
     if (!audit.ok()) return audit.error();
-    return std::unique_ptr<Authorizer>(new Authorizer(config, std::move(keys), std::move(*audit)));
+    Result<std::unique_ptr<BanList>> bans = BanList::open(bans_file(config.persistence));
+    if (!bans.ok()) return bans.error();
+    return std::unique_ptr<Authorizer>(
+        new Authorizer(config, std::move(keys), std::move(*audit), std::move(*bans)));
 }
 
 Authorizer::Authorizer(const Config& config, std::unique_ptr<KeySet> keys,
-                       std::unique_ptr<AuditLog> audit)
+                       std::unique_ptr<AuditLog> audit, std::unique_ptr<BanList> bans)
     : rules_{.issuer = config.auth.issuer,
              .audience = config.auth.audience,
              .leeway = std::chrono::seconds(config.auth.leeway_seconds)},
       anonymous_role_(parse_role(anonymous_role(config)).value_or(Role::none)),
       keys_(std::move(keys)),
       audit_(std::move(audit)),
+      bans_(std::move(bans)),
       quotas_(config.quota),
       logins_(logins_max) {}
 
@@ -196,6 +219,7 @@ Result<Identity> Authorizer::identify_token(const PeerCredentials& caller, const
 Status Authorizer::admit(const Identity& who, const AccessRequest& request, const ClockPair& now) {
     const AccessRow* row = find_call(request.call);
     Status status = check_rights(who, row, request.world, now);
+    if (status.ok()) status = check_ban(who, row, request.address, now.wall);
     if (const std::optional<QuotaCharge> charge = row ? quota_for(row->kind) : std::nullopt;
         status.ok() && charge) {
         const Quotas::QuotaDecision quota = quotas_.take(charge->work, quota_subject_of(who),
@@ -239,11 +263,20 @@ Result<Authorizer::Entry> Authorizer::redeem_ticket(std::string_view ticket,
         reason = "the ticket is for another world";
     if (reason.empty() && now.wall >= redeemed.who.expires)
         reason = "the token behind the ticket has expired";
+    if (reason.empty() && !key_is_trusted(redeemed.who))
+        reason = "the key of the token behind the ticket was removed";
     AuditEntry entry = entry_of(redeemed.who, address, now);
     entry.what = "ticket";
     entry.world = redeemed.world_id;
     entry.outcome = reason.empty() ? "granted" : "refused";
     entry.reason = reason;
+    const Status ban = check_ban(redeemed.who, nullptr, address, now.wall);
+    if (reason.empty() && !ban.ok()) {
+        entry.outcome = "refused";
+        entry.reason = ban.error().message;
+        audit_refusal(entry, now);
+        return ban.error();
+    }
     if (reason.empty()) {
         audit_->record(entry);
         return Entry{std::move(redeemed.who), std::move(redeemed.world_id)};
@@ -253,12 +286,45 @@ Result<Authorizer::Entry> Authorizer::redeem_ticket(std::string_view ticket,
         "the ticket is invalid or no longer valid; get a new one from JoinWorld");
 }
 
+// A key is compared by its value: a new key under the name of the old one does not stand for it.
+bool Authorizer::key_is_trusted(const Identity& who) const {
+    if (who.key.empty() || !keys_) return true;
+    return std::ranges::any_of(*keys_->keys(),
+                               [&](const auto& key) { return key.second.id() == who.key; });
+}
+
+// `row`: null for a play session.
+Status Authorizer::check_ban(const Identity& who, const AccessRow* row, std::string_view address,
+                             WallTime now) const {
+    if (row && row->kind == CallKind::open) return {};
+    const std::optional<Ban> ban = bans_->find(quota_subject_of(who), address, now);
+    if (!ban) return {};
+    const bool is_operator = row && row->kind == CallKind::admin && who.role == Role::admin;
+    if (is_operator && ban->target.network) return {};
+    return denied(refusal_text(*ban));
+}
+
+Status Authorizer::check_session(const Identity& who, std::string_view address,
+                                 const ClockPair& now) const {
+    if (Status s = check_ban(who, nullptr, address, now.wall); !s.ok()) return s;
+    if (now.wall >= who.expires)
+        return unauthenticated("the token of the session has expired; resume with a new token");
+    if (!key_is_trusted(who))
+        return unauthenticated(
+            "the key that signed the token of the session was removed; resume with a new token");
+    return {};
+}
+
 void Authorizer::poll(const ClockPair& now) {
-    if (keys_) keys_->poll(now.steady);
+    if (!keys_) return;
+    const auto before = keys_->keys();
+    keys_->poll(now.steady);
+    if (keys_->keys() != before) revision_.fetch_add(1, std::memory_order_release);
 }
 
 void Authorizer::reload() {
     if (keys_) keys_->reload();
+    revision_.fetch_add(1, std::memory_order_release);
     audit_->reopen();
 }
 

@@ -14,6 +14,8 @@
 // resource_exhausted with a time to retry.
 #pragma once
 
+#include <atomic>
+#include <cstdint>
 #include <memory>
 #include <mutex>
 #include <string>
@@ -21,6 +23,7 @@
 
 #include "server/auth/access_table.h"
 #include "server/auth/audit_log.h"
+#include "server/auth/ban_list.h"
 #include "server/auth/identity.h"
 #include "server/auth/key_set.h"
 #include "server/auth/quotas.h"
@@ -47,11 +50,14 @@ struct AccessRequest {
     std::string_view call;  // a row of the access table
     WorldTarget world;
     std::string_view address;
+    // For the audit log: what else the call refers to, such as "client 7", and the operator's
+    // reason.
+    std::string_view target = {}, reason = {};
 };
 
 class Authorizer {
 public:
-    // Reads the keys and opens the audit log.
+    // Reads the keys and the bans, and opens the audit log.
     static Result<std::unique_ptr<Authorizer>> open(const Config& config);
 
     // A token takes precedence over a client certificate. The holder of a certificate is an admin;
@@ -81,6 +87,20 @@ public:
     Result<Entry> redeem_ticket(std::string_view ticket, std::string_view world_id,
                                 std::string_view address, const ClockPair& now = ClockPair::now());
 
+    // Whether a session of this caller may begin or continue: its token has not expired, the key
+    // that signed it is still trusted, and the caller is not banned. Neither counted nor audited.
+    // Errors: unauthenticated, or permission_denied for a ban.
+    Status check_session(const Identity& who, std::string_view address,
+                         const ClockPair& now = ClockPair::now()) const;
+    // Changes whenever check_session() may return another result before the token expires.
+    std::uint64_t revision() const {
+        return revision_.load(std::memory_order_acquire) + bans_->revision();
+    }
+
+    // A banned caller may call only what is open to everybody. Administrators at the address of a
+    // banned network may still call AdminService, to remove the ban.
+    BanList& bans() { return *bans_; }
+
     // Call about once per second: loads keys that have changed.
     void poll(const ClockPair& now = ClockPair::now());
     // SIGHUP: reloads the keys and reopens the audit log.
@@ -89,8 +109,12 @@ public:
     AuditLog& audit() { return *audit_; }
 
 private:
-    Authorizer(const Config& config, std::unique_ptr<KeySet> keys, std::unique_ptr<AuditLog> audit);
+    Authorizer(const Config& config, std::unique_ptr<KeySet> keys, std::unique_ptr<AuditLog> audit,
+               std::unique_ptr<BanList> bans);
 
+    Status check_ban(const Identity& who, const AccessRow* row, std::string_view address,
+                     WallTime now) const;
+    bool key_is_trusted(const Identity& who) const;
     Result<Identity> identify_token(const PeerCredentials& caller, const ClockPair& now);
     void audit_login(const Identity& who, std::string_view address, const ClockPair& now);
     void audit_refusal(const AuditEntry& entry, const ClockPair& now);
@@ -99,8 +123,10 @@ private:
     const Role anonymous_role_;
     const std::unique_ptr<KeySet> keys_;  // null: every token is rejected
     const std::unique_ptr<AuditLog> audit_;
+    const std::unique_ptr<BanList> bans_;
     Quotas quotas_;
     Tickets tickets_;
+    std::atomic<std::uint64_t> revision_{0};
     std::mutex logins_mutex_;
     LruMap<bool> logins_;  // true: already recorded in the audit log
 };

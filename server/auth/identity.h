@@ -4,9 +4,11 @@
 // and rights, quotas and audit lines depend on it. A value; any thread.
 #pragma once
 
+#include <algorithm>
 #include <optional>
 #include <string>
 #include <string_view>
+#include <vector>
 
 #include "server/util/wall_time.h"
 
@@ -28,8 +30,19 @@ struct Identity {
     Role role = Role::none;
     bool anonymous = true;
     WallTime expires = WallTime::max();
-    std::string world;     // id or name of the only accessible world; empty: any world
-    std::string token_id;  // "jti" for the audit log; empty: absent
+    std::string key;  // VerifyKey::id() of the key that signed the token; empty: no token
+    std::vector<std::string> worlds;  // ids or names of the accessible worlds; empty: any world
+    std::string token_id;             // "jti" for the audit log; empty: absent
+
+    // Whether the token is limited to certain worlds. Its holder has no rights on the server as a
+    // whole, whatever its role.
+    bool is_limited_to_worlds() const { return !worlds.empty(); }
+    // Whether the token opens this world, whatever its role.
+    bool opens(std::string_view world_id, std::string_view world_name) const {
+        return worlds.empty() || std::ranges::any_of(worlds, [&](const std::string& world) {
+                   return world == world_id || world == world_name;
+               });
+    }
 };
 
 }  // namespace jostle::server

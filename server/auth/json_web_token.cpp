@@ -8,6 +8,7 @@
 #include "jostle/base/base64.h"
 #include "jostle/base/check.h"
 #include "server/auth/strict_json.h"
+#include "server/util/text.h"
 
 namespace jostle::server {
 
@@ -18,6 +19,7 @@ using std::chrono::seconds;
 
 constexpr std::size_t token_depth_max = 4;
 constexpr std::size_t audiences_max = 32;
+constexpr std::size_t worlds_max = 32;
 
 Error refused(std::string message) {
     return {ErrorCode::unauthenticated, std::move(message)};
@@ -101,6 +103,10 @@ Status check_times(const Times& times, seconds leeway, WallTime now) {
         return refused("the token was issued (iat) in the future");
     if (times.issued && *times.expires - *times.issued > token_life_max)
         return refused("the token is valid for more than 24 hours (iat to exp)");
+    if (times.issued && *times.issued > *times.expires)
+        return refused("the token expires (exp) before it was issued (iat)");
+    if (times.begins && *times.begins > *times.expires)
+        return refused("the token expires (exp) before it is valid (nbf)");
     if (times.begins && *times.begins > now + leeway)
         return refused("the token is not valid yet (nbf)");
     return {};
@@ -130,6 +136,8 @@ Status check_subject(const std::string* subject) {
     if (!subject || subject->empty()) return refused("the token has no subject (sub)");
     if (subject->size() > subject_bytes_max)
         return refused("the token's subject is longer than 128 bytes");
+    if (has_control_character(*subject))
+        return refused("the token's subject contains a control character");
     if (*subject == anonymous_subject || subject->starts_with(certificate_prefix))
         return refused("the token's subject is reserved for the server");
     return {};
@@ -141,7 +149,26 @@ Result<std::string> option_of(const json& claims, const char* name) {
     const std::string* text = string_member(claims, name);
     if (!text || text->empty() || text->size() > subject_bytes_max)
         return refused(std::string("the token's ") + name + " is not a string of 1 to 128 bytes");
+    if (has_control_character(*text))
+        return refused(std::string("the token's ") + name + " contains a control character");
     return *text;
+}
+
+// "world" is a string or an array of strings. An empty array is invalid: it must not open every
+// world.
+Result<std::vector<std::string>> worlds_of(const json& claims) {
+    std::vector<std::string> worlds;
+    const auto at = claims.find("world");
+    if (at == claims.end()) return worlds;
+    const json list = at->is_array() ? *at : json::array({*at});
+    if (list.empty() || list.size() > worlds_max)
+        return refused("the token's world is not a string or an array of 1 to 32 strings");
+    for (const json& world : list) {
+        Result<std::string> name = option_of({{"world", world}}, "world");
+        if (!name.ok()) return name.error();
+        worlds.push_back(*std::move(name));
+    }
+    return worlds;
 }
 
 Result<Identity> read_identity(const json& claims) {
@@ -154,17 +181,22 @@ Result<Identity> read_identity(const json& claims) {
     if (!named || *named == Role::none)
         return refused("the token's role is not viewer, player, director or admin");
     who.role = *named;
-    for (const auto& [name, field] :
-         {std::pair("world", &who.world), std::pair("jti", &who.token_id)}) {
-        Result<std::string> text = option_of(claims, name);
-        if (!text.ok()) return text.error();
-        *field = std::move(*text);
-    }
+    Result<std::string> token_id = option_of(claims, "jti");
+    if (!token_id.ok()) return token_id.error();
+    who.token_id = *std::move(token_id);
+    Result<std::vector<std::string>> worlds = worlds_of(claims);
+    if (!worlds.ok()) return worlds.error();
+    who.worlds = *std::move(worlds);
     return who;
 }
 
+struct SignedClaims {
+    json claims;
+    std::string key;  // VerifyKey::id()
+};
+
 // The claims, if the signature matches the key named in the header.
-Result<json> read_signed(std::string_view token, const VerifyKeys& keys) {
+Result<SignedClaims> read_signed(std::string_view token, const VerifyKeys& keys) {
     if (token.size() > token_bytes_max) return refused("the token is longer than 8192 bytes");
     const std::optional<Parts> parts = split(token);
     if (!parts) return refused("the token does not have three parts");
@@ -177,22 +209,27 @@ Result<json> read_signed(std::string_view token, const VerifyKeys& keys) {
         return refused("the token's signature is not 64 bytes of base64url");
     if (!(*key)->verifies(parts->signed_text, *signature))
         return refused("the token's signature does not match its key");
-    return read_object(parts->claims, "claims");
+    Result<json> claims = read_object(parts->claims, "claims");
+    if (!claims.ok()) return claims.error();
+    return SignedClaims{*std::move(claims), (*key)->id()};
 }
 
 }  // namespace
 
 Result<Identity> verify_token(std::string_view token, const VerifyKeys& keys,
                               const TokenRules& rules, WallTime now) {
-    const Result<json> claims = read_signed(token, keys);
-    if (!claims.ok()) return claims.error();
-    const Result<Times> times = read_times(*claims);
+    const Result<SignedClaims> read = read_signed(token, keys);
+    if (!read.ok()) return read.error();
+    const json& claims = read->claims;
+    const Result<Times> times = read_times(claims);
     if (!times.ok()) return times.error();
     if (Status s = check_times(*times, rules.leeway, now); !s.ok()) return s.error();
-    if (Status s = check_parties(*claims, rules); !s.ok()) return s.error();
-    Result<Identity> who = read_identity(*claims);
+    if (Status s = check_parties(claims, rules); !s.ok()) return s.error();
+    Result<Identity> who = read_identity(claims);
     ASSERT(times->expires);
-    if (who.ok()) who->expires = *times->expires + rules.leeway;
+    if (!who.ok()) return who;
+    who->expires = *times->expires + rules.leeway;
+    who->key = read->key;
     return who;
 }
 

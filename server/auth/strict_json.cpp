@@ -58,6 +58,11 @@ private:
 }  // namespace
 
 Result<nlohmann::json> parse_strict_json(std::string_view text, std::size_t depth_max) {
+    // nlohmann::json skips a byte order mark and takes a zero byte for the end.
+    if (text.starts_with("\xef\xbb\xbf"))
+        return Error{ErrorCode::invalid_argument, "it begins with a byte order mark"};
+    if (text.find('\0') != std::string_view::npos)
+        return Error{ErrorCode::invalid_argument, "it has a zero byte"};
     Checker checker(depth_max);
     if (!nlohmann::json::sax_parse(text, &checker))
         return Error{ErrorCode::invalid_argument, checker.fault};

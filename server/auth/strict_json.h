@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Strict JSON for untrusted input: one value with nothing after it, bounded depth, no duplicate key
-// in an object (parsers disagree on which duplicate wins, which can bypass a check).
+// Strict JSON for untrusted input: one value with nothing before or after it, no byte order mark,
+// no zero byte, bounded depth, no duplicate key in an object (parsers disagree on which duplicate
+// wins, which can bypass a check).
 #pragma once
 
 #include <nlohmann/json.hpp>

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/auth/tickets.h"
 
+#include <openssl/evp.h>
 #include <unistd.h>
 
 #include <algorithm>
@@ -80,6 +81,14 @@ Tickets::Redeemed Tickets::redeem(std::string_view ticket, Clock::time_point now
     const Redeemed redeemed{at->second.ticket_status, at->second.who, at->second.world_id};
     if (redeemed.ticket_status == TicketStatus::good) retire(at, TicketStatus::used, now);
     return redeemed;
+}
+
+std::string Tickets::digest(std::string_view ticket) {
+    std::array<unsigned char, EVP_MAX_MD_SIZE> digest{};
+    const int done =
+        EVP_Digest(ticket.data(), ticket.size(), digest.data(), nullptr, EVP_sha256(), nullptr);
+    ASSERT(done == 1);
+    return done == 1 ? std::string(digest.begin(), digest.begin() + 16) : std::string();
 }
 
 std::size_t Tickets::waiting() const {

@@ -50,6 +50,10 @@ public:
 
     std::size_t waiting() const;
 
+    // 16 bytes from which the ticket cannot be derived. A session remembers them, so that its
+    // client can show the same ticket again.
+    static std::string digest(std::string_view ticket);
+
 private:
     using Key = std::array<std::uint8_t, 16>;
     struct KeyHash {

@@ -63,6 +63,16 @@ EVP_PKEY* key_of_point(std::string& point) {
     return key;
 }
 
+// The first 16 bytes of SHA-256.
+std::string digest_of(std::string_view bytes) {
+    std::string digest(EVP_MAX_MD_SIZE, '\0');
+    if (EVP_Digest(bytes.data(), bytes.size(), reinterpret_cast<unsigned char*>(digest.data()),
+                   nullptr, EVP_sha256(), nullptr) != 1)
+        return {};
+    digest.resize(16);
+    return digest;
+}
+
 bool is_good(EVP_PKEY* key) {
     const KeyContext context(EVP_PKEY_CTX_new_from_pkey(nullptr, key, nullptr));
     return context && EVP_PKEY_public_check(context.get()) == 1;
@@ -76,10 +86,11 @@ std::optional<VerifyKey> VerifyKey::from_point(std::string_view x, std::string_v
     point.append(x).append(y);
     ASSERT(point.size() == 1 + 2 * number_bytes);
     const std::shared_ptr<EVP_PKEY> key(key_of_point(point), EVP_PKEY_free);
-    const bool good = key && is_good(key.get());
+    const std::string id = digest_of(point);
+    const bool good = key && is_good(key.get()) && !id.empty();
     ERR_clear_error();  // OpenSSL has an error queue per thread that other code reads
     if (!good) return std::nullopt;
-    return VerifyKey(key);
+    return VerifyKey(key, id);
 }
 
 bool VerifyKey::verifies(std::string_view message, std::string_view signature) const {

@@ -6,6 +6,7 @@
 
 #include <memory>
 #include <optional>
+#include <string>
 #include <string_view>
 
 extern "C" {
@@ -22,10 +23,15 @@ public:
     // Whether `signature` is this key's signature of `message`: 64 bytes, r and s, as in tokens.
     bool verifies(std::string_view message, std::string_view signature) const;
 
+    // 16 bytes that differ between keys, whatever their names.
+    const std::string& id() const { return id_; }
+
 private:
-    explicit VerifyKey(std::shared_ptr<EVP_PKEY> key) : key_(std::move(key)) {}
+    VerifyKey(std::shared_ptr<EVP_PKEY> key, std::string id)
+        : key_(std::move(key)), id_(std::move(id)) {}
 
     std::shared_ptr<EVP_PKEY> key_;
+    std::string id_;
 };
 
 }  // namespace jostle::server

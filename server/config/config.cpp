@@ -62,6 +62,8 @@ Status check(const Config& c) {
         {"client.inputs_per_batch_max", c.client.inputs_per_batch_max, 1, 4096},
         {"client.bodies_owned_max", c.client.bodies_owned_max, 0, 100000},
         {"client.resume_timeout_seconds", c.client.resume_timeout_seconds, 0, 600},
+        {"limits.idle_kick_seconds", c.limits.idle_kick_seconds, 0, 86400},
+        {"limits.sessions_per_subject", c.limits.sessions_per_subject, 0, 100000},
         {"world.worlds_max", c.world.worlds_max, 1, 10000},
         {"world.bodies_max", c.world.bodies_max, 1, 1000000},
         {"world.bodies_total_max", c.world.bodies_total_max, 1, 100000000},

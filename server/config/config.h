@@ -28,6 +28,17 @@ struct ClientLimits {
     double resume_timeout_seconds = 30;
 };
 
+// Limits on the sessions of players. 0 disables each.
+struct SessionLimits {
+    // A player whose client sends no input for this long is disconnected; spectators are exempt.
+    double idle_kick_seconds = 0;
+    // Sessions of one subject. A further one is refused, but takes the place of a suspended one.
+    // Anonymous callers have no subject and are not counted.
+    int sessions_per_subject = 0;
+
+    bool operator==(const SessionLimits&) const = default;
+};
+
 struct WorldLimits {
     int worlds_max = 64;
     int bodies_max = 20000;             // per world
@@ -174,6 +185,7 @@ struct Config {
     double drain_timeout_seconds = 5;  // time for clients to leave after SIGTERM
     int network_threads = 1;           // gRPC play streams; each owns its clients
     ClientLimits client;
+    SessionLimits limits;
     ConnectionLimits connection;
     WorldLimits world;
     SceneLimits scene;

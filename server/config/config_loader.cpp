@@ -77,6 +77,8 @@ Setters setters_of(Config& c) {
         {"client.bodies_owned_max", into(c.client.bodies_owned_max)},
         {"client.retain_bodies_after_leave", into(c.client.retain_bodies_after_leave)},
         {"client.resume_timeout_seconds", into(c.client.resume_timeout_seconds)},
+        {"limits.idle_kick_seconds", into(c.limits.idle_kick_seconds)},
+        {"limits.sessions_per_subject", into(c.limits.sessions_per_subject)},
         {"development.network_conditions", into(c.development.network_conditions)},
         {"development.network_conditions_worlds", into(c.development.network_conditions_worlds)},
         {"connection.total_max", into(c.connection.total_max)},

@@ -15,17 +15,46 @@ std::string path_of(const char* name) {
 
 enum class Audit { no, yes };
 
-// A call about the server as a whole.
-template <class Request, class Response>
+// What the audit log records of a request besides its world.
+template <class Request>
+std::string audit_target(const Request& request) {
+    if constexpr (std::is_same_v<Request, v1::KickRequest>)
+        return "client " + std::to_string(request.client());
+    else if constexpr (requires { request.network(); })
+        return request.has_network() ? "network " + request.network()
+                                     : "subject " + request.subject();
+    else
+        return {};
+}
+template <class Request>
+std::string_view audit_reason(const Request& request) {
+    if constexpr (requires { request.reason(); })
+        return request.reason();
+    else
+        return {};
+}
+
+// A call about the server as a whole, or about the worlds that the caller's token opens.
+// `Caller`: nothing, or the identity of the caller.
+template <class Request, class Response, class... Caller>
 CallMethod server_call(AdminControl& control, const char* name, Audit audit,
-                       Status (AdminControl::*handle)(const Request&, Response&)) {
+                       Status (AdminControl::*handle)(const Request&, Response&, Caller...)) {
     return unary_method<Request, Response>(
         path_of(name), CallWork::quick, admin_request_bytes_max,
         [&control, handle, audit](const CallContext& context, const Request& request,
                                   Response& response) {
-            Status done = (control.*handle)(request, response);
-            if (audit == Audit::yes)
-                context.authorizer.record(context.who, context.access_request({}), done);
+            Status done;
+            if constexpr (sizeof...(Caller) == 0)
+                done = (control.*handle)(request, response);
+            else
+                done = (control.*handle)(request, response, context.who);
+            if (audit == Audit::yes) {
+                const std::string target = audit_target(request);
+                AccessRequest access = context.access_request({});
+                access.target = target;
+                access.reason = audit_reason(request);
+                context.authorizer.record(context.who, access, done);
+            }
             return done;
         });
 }
@@ -53,6 +82,9 @@ std::vector<CallMethod> admin_methods(AdminControl& control, const WorldDirector
     return {
         server_call(control, "ListClients", Audit::no, &AdminControl::list_clients),
         server_call(control, "Kick", Audit::yes, &AdminControl::kick),
+        server_call(control, "Ban", Audit::yes, &AdminControl::ban),
+        server_call(control, "Unban", Audit::yes, &AdminControl::unban),
+        server_call(control, "ListBans", Audit::no, &AdminControl::list_bans),
         server_call(control, "Drain", Audit::yes, &AdminControl::drain),
         world_call(control, worlds, "SetPaused", CallWork::quick, Audit::yes,
                    &AdminControl::set_paused),

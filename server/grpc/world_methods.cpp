@@ -30,8 +30,8 @@ std::vector<CallMethod> world_methods(WorldControl& control, const WorldDirector
     return {
         unary_method<v1::ListWorldsRequest, v1::ListWorldsResponse>(
             service + "ListWorlds", CallWork::quick, small_request,
-            [&](const CallContext&, const auto& request, auto& response) {
-                return control.list(request, response);
+            [&](const CallContext& context, const auto& request, auto& response) {
+                return control.list(request, response, context.who);
             }),
         world_method<v1::GetWorldRequest, v1::GetWorldResponse>(
             service + "GetWorld", CallWork::quick, small_request, worlds,

@@ -9,6 +9,8 @@
 #include <boost/beast/websocket/stream.hpp>
 #include <cstddef>
 #include <cstdint>
+#include <optional>
+#include <string_view>
 
 #include "server/http/http_message.h"
 #include "server/http/http_server_settings.h"
@@ -28,6 +30,15 @@ void set_limits(boost::beast::websocket::stream<Stream>& socket, std::size_t mes
     socket.read_message_max(message_bytes_max);
     socket.binary(true);
 }
+
+// Why a request that Beast accepts is invalid or ambiguous, as a sentence for its client; nothing:
+// it is valid. Another parser, such as a proxy, might read such a request differently. HTTP/1.1
+// requires exactly one Host header, HTTP/1.0 at most one.
+std::optional<std::string_view> request_fault(const BeastRequest& request);
+
+// Whether a header continues on a second line (obs-fold), which Beast joins to one. `bytes`: the
+// received bytes of a header, complete or not.
+bool has_folded_header(std::string_view bytes);
 
 inline HttpRequest to_http_request(const BeastRequest& request) {
     using boost::beast::http::field;

@@ -194,7 +194,7 @@ Result<HttpRoutes::RequestContext> HttpRoutes::authorize(const HttpRequest& requ
         {.bearer = *bearer, .certificate = request.certificate, .address = request.address});
     if (!who.ok()) return who.error();
     RequestContext context{*std::move(who), row, request.address};
-    if (row->scope != Scope::server) return context;
+    if (row->scope == Scope::any_world || row->scope == Scope::own_world) return context;
     if (Status s = worlds_.authorizer().admit(context.who, {row->call, {}, context.address});
         !s.ok())
         return s.error();
@@ -230,16 +230,16 @@ HttpResponse HttpRoutes::handle_api(const HttpRequest& request, std::string_view
     if (is_query && request.method != "POST") return method_not_allowed("POST");
     const Result<RequestContext> context = authorize(request, path);
     if (!context.ok()) return to_http(context.error());
-    if (is_list) return changes ? create_world(request, *context) : list_worlds();
+    if (is_list) return changes ? create_world(request, *context) : list_worlds(*context);
     if (is_query) return query(request, path.substr(query_path.size()), *context);
     if (Status s = authorize_world(*context, world); !s.ok()) return to_http(s.error());
     if (is_resume && changes) return resume_world(world, *context);
     return changes ? delete_world(world, *context) : get_world(world);
 }
 
-HttpResponse HttpRoutes::list_worlds() const {
+HttpResponse HttpRoutes::list_worlds(const RequestContext& context) const {
     v1::ListWorldsResponse response;
-    const Status status = worlds_.list({}, response);
+    const Status status = worlds_.list({}, response, context.who);
     return status.ok() ? json(200, response) : to_http(status.error());
 }
 

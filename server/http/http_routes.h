@@ -58,7 +58,7 @@ private:
     HttpResponse handle_api(const HttpRequest& request, std::string_view path) const;
     Result<RequestContext> authorize(const HttpRequest& request, std::string_view path) const;
     Status authorize_world(const RequestContext& context, const std::string& world) const;
-    HttpResponse list_worlds() const;
+    HttpResponse list_worlds(const RequestContext& context) const;
     HttpResponse get_world(const std::string& world) const;
     HttpResponse create_world(const HttpRequest& request, const RequestContext& context) const;
     HttpResponse resume_world(const std::string& world, const RequestContext& context) const;

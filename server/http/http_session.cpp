@@ -29,6 +29,8 @@ constexpr std::string_view content_security_policy =
     "img-src 'self' data: blob:; "
     "connect-src 'self' ws: wss: http: https:; frame-ancestors 'none'";
 
+constexpr std::size_t read_bytes = 1536;  // of a header at once
+
 }  // namespace
 
 HttpSession::HttpSession(SocketStream stream, const Services& services)
@@ -63,10 +65,28 @@ void HttpSession::read(std::chrono::seconds timeout) {
     parser_.emplace();
     set_limits(*parser_, services_.settings);
     stream_.tcp().expires_after(timeout);
-    http::async_read_header(stream_, buffer_, *parser_,
-                            [self = shared_from_this()](beast::error_code error, std::size_t) {
-                                self->on_header(error);
-                            });
+    parse_header();
+}
+
+// Like async_read_header() of Beast, but checks the bytes of the header before Beast parses them.
+// The parser consumes nothing until the header is complete.
+void HttpSession::parse_header() {
+    const asio::const_buffer received = buffer_.cdata();
+    if (has_folded_header({static_cast<const char*>(received.data()), received.size()}))
+        return refuse(400, "A header continues on a second line.\n");
+    beast::error_code error;
+    buffer_.consume(parser_->put(received, error));
+    if (error != http::error::need_more) return on_header(error);
+    stream_.async_read_some(
+        buffer_.prepare(read_bytes),
+        [self = shared_from_this()](beast::error_code failure, std::size_t bytes) {
+            if (failure == asio::error::eof)
+                failure = self->buffer_.size() > 0 ? http::error::partial_message
+                                                   : http::error::end_of_stream;
+            if (failure) return self->on_header(failure);
+            self->buffer_.commit(bytes);
+            self->parse_header();
+        });
 }
 
 // Returns true if the connection cannot continue; an error response was sent if one is due.
@@ -85,6 +105,8 @@ bool HttpSession::failed(beast::error_code error) {
 
 void HttpSession::on_header(beast::error_code error) {
     if (failed(error)) return;
+    if (const auto fault = request_fault(parser_->get()))
+        return refuse(400, std::string(*fault) + "\n");
     HttpRequest request = request_of_peer();
     if (beast::websocket::is_upgrade(parser_->get()) && services_.routes.accepts_players(request)) {
         if (const auto refusal = services_.routes.cross_origin_refusal(request))

@@ -47,6 +47,7 @@ private:
     using Response = boost::beast::http::response<Body>;
 
     void read(std::chrono::seconds timeout);
+    void parse_header();
     void on_header(boost::beast::error_code error);
     void read_body();
     void on_body(boost::beast::error_code error);

@@ -87,9 +87,15 @@ std::vector<ClientStatus> ConnectedClients::status(Clock::time_point now) const 
     return statuses;
 }
 
-Status ConnectedClients::kick(ClientId client, std::string reason) {
+Status ConnectedClients::kick(ClientId client, std::string reason, const Identity& by) {
     const std::lock_guard lock(mutex_);
     const auto at = clients_.find(client);
+    const bool is_in_reach =
+        at != clients_.end() && by.opens(at->second->who().world_id, at->second->who().world_name);
+    if (by.is_limited_to_worlds() && !is_in_reach)
+        return Error{ErrorCode::permission_denied,
+                     "there is no client " + std::to_string(client) +
+                         " in the worlds of the token; ListClients lists them"};
     if (at == clients_.end())
         return Error{ErrorCode::not_found,
                      "there is no client " + std::to_string(client) + "; it may have left"};

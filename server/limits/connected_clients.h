@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "jostle/base/result.h"
+#include "server/auth/identity.h"
 #include "server/util/clock.h"
 #include "server/world/command.h"
 
@@ -51,6 +52,7 @@ public:
     std::optional<std::string> kicked() const;
 
     // Any thread.
+    const ClientIdentity& who() const { return who_; }
     ClientStatus status(Clock::time_point now) const;
     void kick(std::string reason);
 
@@ -75,7 +77,9 @@ public:
 
     std::vector<ClientStatus> status(Clock::time_point now) const;  // in ascending order of id
     // Notifies the client and ends its stream shortly after. not_found: no client has this id.
-    Status kick(ClientId client, std::string reason);
+    // permission_denied: the token of `by` is limited to certain worlds, and the client is in none
+    // of them; whether a client has this id is not revealed.
+    Status kick(ClientId client, std::string reason, const Identity& by);
 
 private:
     mutable std::mutex mutex_;

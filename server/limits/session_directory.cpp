@@ -27,12 +27,32 @@ void SessionDirectory::restore_client(ClientId client, const std::string& world_
                                       const std::string& network) {
     const std::lock_guard lock(mutex_);
     ASSERT(client != 0);
-    if (!sessions_.try_emplace(client, Session{world_id, network}).second) return;
+    if (!sessions_.try_emplace(client, Session{world_id, network, {}}).second) return;
     of_world_[world_id]++;
     of_network_[network]++;
 }
 
-Result<ClientId> SessionDirectory::enter(const std::string& world_id, const std::string& network) {
+bool SessionDirectory::subject_is_full(const std::string& subject) const {
+    if (per_subject_max_ == 0 || subject.empty()) return false;
+    const auto same = of_subject_.find(subject);
+    return same != of_subject_.end() && same->second >= per_subject_max_;
+}
+
+bool SessionDirectory::is_at_limit(const std::string& subject) const {
+    const std::lock_guard lock(mutex_);
+    return subject_is_full(subject);
+}
+
+void SessionDirectory::set_subject(ClientId client, const std::string& subject) {
+    const std::lock_guard lock(mutex_);
+    const auto at = sessions_.find(client);
+    if (at == sessions_.end() || !at->second.subject.empty() || subject.empty()) return;
+    at->second.subject = subject;
+    of_subject_[subject]++;
+}
+
+Result<ClientId> SessionDirectory::enter(const std::string& world_id, const std::string& network,
+                                         const std::string& subject) {
     const std::lock_guard lock(mutex_);
     if (static_cast<int>(sessions_.size()) >= clients_max_)
         return Error{ErrorCode::resource_exhausted,
@@ -42,9 +62,15 @@ Result<ClientId> SessionDirectory::enter(const std::string& world_id, const std:
         return Error{ErrorCode::resource_exhausted, "this address already has " +
                                                         std::to_string(per_network_max_) +
                                                         " clients, the maximum"};
+    if (subject_is_full(subject))
+        return Error{ErrorCode::resource_exhausted,
+                     "the subject of the token already has " + std::to_string(per_subject_max_) +
+                         (per_subject_max_ == 1 ? " session" : " sessions") +
+                         ", the maximum (limits.sessions_per_subject); end another one first"};
     const ClientId client = next_++;
     ASSERT(client != 0);
-    sessions_[client] = {world_id, network};
+    sessions_[client] = {world_id, network, subject};
+    if (!subject.empty()) of_subject_[subject]++;
     of_world_[world_id]++;
     of_network_[network]++;
     if (on_id_) on_id_(next_);
@@ -57,6 +83,7 @@ void SessionDirectory::leave(ClientId client) {
     if (at == sessions_.end()) return;
     decrement(of_world_, at->second.world);
     decrement(of_network_, at->second.network);
+    if (!at->second.subject.empty()) decrement(of_subject_, at->second.subject);
     sessions_.erase(at);
     ASSERT(of_world_.size() <= sessions_.size() && of_network_.size() <= sessions_.size());
 }

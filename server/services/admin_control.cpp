@@ -7,6 +7,7 @@
 #include "jostle/scenes/scene_file.h"
 #include "jostle/v1/admin.pb.h"
 #include "server/util/log.h"
+#include "server/util/text.h"
 #include "server/world/tick_trace.h"
 
 namespace jostle::server {
@@ -14,6 +15,7 @@ namespace jostle::server {
 namespace {
 
 constexpr std::size_t reason_bytes_max = 100;
+constexpr double ban_seconds_max = 10 * 365.0 * 86400;
 constexpr std::uint32_t steps_max = 1000;
 constexpr std::size_t export_bytes_max = 64u << 20;
 // Added to the time that the steps take at the world's rate.
@@ -73,6 +75,31 @@ void write(v1::ClientInfo& out, const ClientStatus& status) {
     out.set_round_trip_ms(status.round_trip_ms);
 }
 
+// `Request`: BanRequest or UnbanRequest.
+template <class Request>
+Result<BanTarget> target_of(const Request& request) {
+    BanTarget target;
+    if (request.has_network()) {
+        const Result<Network> network = parse_network(request.network());
+        if (!network.ok()) return network.error();
+        target.network = *network;
+    } else if (request.subject().empty()) {
+        return invalid_argument("name a subject or a network");
+    } else {
+        target.subject = request.subject();
+    }
+    return target;
+}
+
+void write(v1::BanInfo& out, const Ban& ban) {
+    out.set_subject(ban.target.subject);
+    if (ban.target.network) out.set_network(text_of(*ban.target.network));
+    out.set_reason(ban.reason);
+    out.set_by(ban.by);
+    out.set_created(rfc3339(ban.created));
+    if (ban.expires != WallTime::max()) out.set_expires(rfc3339(ban.expires));
+}
+
 }  // namespace
 
 void AdminControl::stop() {
@@ -80,24 +107,72 @@ void AdminControl::stop() {
 }
 
 Status AdminControl::list_clients(const v1::ListClientsRequest& request,
-                                  v1::ListClientsResponse& response) {
+                                  v1::ListClientsResponse& response, const Identity& who) {
     std::string world_id;
     if (!request.world().empty()) {
         const auto world = find_world(context_, request.world());
         if (!world.ok()) return world.error();
         world_id = (*world)->id();
+        if (!who.opens(world_id, (*world)->name()))
+            return Error{ErrorCode::permission_denied, "the token is for another world"};
     }
     for (const ClientStatus& status : context_.connected_clients.status(Clock::now()))
-        if (world_id.empty() || status.who.world_id == world_id)
+        if ((world_id.empty() || status.who.world_id == world_id) &&
+            who.opens(status.who.world_id, status.who.world_name))
             write(*response.add_clients(), status);
     return {};
 }
 
-Status AdminControl::kick(const v1::KickRequest& request, v1::KickResponse&) {
+Status AdminControl::kick(const v1::KickRequest& request, v1::KickResponse&, const Identity& who) {
     if (Status s = check_reason(request.reason()); !s.ok()) return s;
     const std::string reason = request.reason().empty() ? "no reason given" : request.reason();
-    if (Status s = context_.connected_clients.kick(request.client(), reason); !s.ok()) return s;
+    if (Status s = context_.connected_clients.kick(request.client(), reason, who); !s.ok())
+        return s;
     log_info("client {} was kicked by an operator", request.client());
+    return {};
+}
+
+Status AdminControl::ban(const v1::BanRequest& request, v1::BanResponse& response,
+                         const Identity& who) {
+    const Result<BanTarget> target = target_of(request);
+    if (!target.ok()) return target.error();
+    if (!who.anonymous && target->subject == who.subject)
+        return invalid_argument("the subject is your own; another administrator can ban it");
+    const double seconds = request.duration_seconds();
+    if (!(0 <= seconds && seconds <= ban_seconds_max))
+        return invalid_argument(fmt::format("duration_seconds is {:g}; it must be from 0 to {:.0f}",
+                                            seconds, ban_seconds_max));
+    const WallTime now = std::chrono::system_clock::now();
+    Ban ban{.target = *target,
+            .reason = request.reason(),
+            .by = who.subject,
+            .created = std::chrono::floor<std::chrono::seconds>(now)};
+    if (seconds > 0)
+        ban.expires = std::chrono::ceil<std::chrono::seconds>(
+            now + std::chrono::milliseconds(static_cast<std::int64_t>(seconds * 1000)));
+    BanList& bans = authorizer().bans();
+    if (Status s = bans.add(ban, now); !s.ok()) return s;
+    log_info("{} was banned by an operator{}", printable(text_of(ban.target), 300),
+             bans.is_persisted() ? "" : " until the server stops: it has no database");
+    write(*response.mutable_ban(), ban);
+    response.set_persisted(bans.is_persisted());
+    return {};
+}
+
+Status AdminControl::unban(const v1::UnbanRequest& request, v1::UnbanResponse&) {
+    const Result<BanTarget> target = target_of(request);
+    if (!target.ok()) return target.error();
+    if (Status s = authorizer().bans().remove(*target, std::chrono::system_clock::now()); !s.ok())
+        return s;
+    log_info("the ban of {} was removed by an operator", printable(text_of(*target), 300));
+    return {};
+}
+
+Status AdminControl::list_bans(const v1::ListBansRequest&, v1::ListBansResponse& response) {
+    BanList& bans = authorizer().bans();
+    for (const Ban& ban : bans.list(std::chrono::system_clock::now()))
+        write(*response.add_bans(), ban);
+    response.set_persisted(bans.is_persisted());
     return {};
 }
 

@@ -12,12 +12,16 @@
 #include "server/session/play_context.h"
 
 namespace jostle::v1 {
+class BanRequest;
+class BanResponse;
 class DrainRequest;
 class DrainResponse;
 class ExportWorldRequest;
 class ExportWorldResponse;
 class KickRequest;
 class KickResponse;
+class ListBansRequest;
+class ListBansResponse;
 class ListClientsRequest;
 class ListClientsResponse;
 class ProfileRequest;
@@ -28,6 +32,8 @@ class SetPausedRequest;
 class SetPausedResponse;
 class StepWorldRequest;
 class StepWorldResponse;
+class UnbanRequest;
+class UnbanResponse;
 }  // namespace jostle::v1
 
 namespace jostle::server {
@@ -48,8 +54,14 @@ public:
     // The server is shutting down: calls that wait for a world return at once.
     void stop();
 
-    Status list_clients(const v1::ListClientsRequest& request, v1::ListClientsResponse& response);
-    Status kick(const v1::KickRequest& request, v1::KickResponse& response);
+    // Lists and removes clients of the worlds that the token of `who` opens; others are refused.
+    Status list_clients(const v1::ListClientsRequest& request, v1::ListClientsResponse& response,
+                        const Identity& who);
+    Status kick(const v1::KickRequest& request, v1::KickResponse& response, const Identity& who);
+    // Bans by `who`, who cannot ban itself.
+    Status ban(const v1::BanRequest& request, v1::BanResponse& response, const Identity& who);
+    Status unban(const v1::UnbanRequest& request, v1::UnbanResponse& response);
+    Status list_bans(const v1::ListBansRequest& request, v1::ListBansResponse& response);
     Status set_paused(const v1::SetPausedRequest& request, v1::SetPausedResponse& response);
     Status step_world(const v1::StepWorldRequest& request, v1::StepWorldResponse& response);
     Status export_world(const v1::ExportWorldRequest& request, v1::ExportWorldResponse& response);

@@ -52,9 +52,11 @@ Result<scenes::SceneDescription> scene_of(const v1::CreateWorldRequest& request)
 
 }  // namespace
 
-Status WorldControl::list(const v1::ListWorldsRequest&, v1::ListWorldsResponse& response) const {
+Status WorldControl::list(const v1::ListWorldsRequest&, v1::ListWorldsResponse& response,
+                          const Identity& who) const {
     for (const auto& world : context_.worlds.list()) {
-        describe(*response.add_worlds(), *world, context_.sessions);
+        if (who.opens(world->id(), world->name()))
+            describe(*response.add_worlds(), *world, context_.sessions);
     }
     for (const scenes::CatalogEntry& entry : scenes::catalog()) {
         v1::SceneInfo& scene = *response.add_scenes();

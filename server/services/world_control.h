@@ -37,7 +37,9 @@ public:
     // Call before the first join().
     void set_addresses(PlayAddresses addresses) { addresses_ = std::move(addresses); }
 
-    Status list(const v1::ListWorldsRequest& request, v1::ListWorldsResponse& response) const;
+    // Lists the worlds that the token of `who` opens.
+    Status list(const v1::ListWorldsRequest& request, v1::ListWorldsResponse& response,
+                const Identity& who) const;
     Status get(const v1::GetWorldRequest& request, v1::GetWorldResponse& response) const;
     // The caller becomes the owner of the world.
     Status create(const v1::CreateWorldRequest& request, v1::CreateWorldResponse& response,

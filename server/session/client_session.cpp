@@ -15,7 +15,9 @@
 namespace jostle::server {
 
 ClientSession::ClientSession(PlayContext& context, Peer peer, Clock::time_point now)
-    : context_(context), peer_(std::move(peer)), timeouts_(context.config.stream, now) {}
+    : context_(context),
+      peer_(std::move(peer)),
+      timeouts_(context.config.stream, now, context.config.limits.idle_kick_seconds) {}
 
 // --- messages of the client ---
 
@@ -69,6 +71,7 @@ void ClientSession::on_message(const Hello& hello, Clock::time_point now) {
         enter_world(parts, hello, timeouts_.age(now), now);
     if (!joined.ok()) return refuse(joined.error(), now);
     joined_ = *std::move(joined);
+    if (joined_) timeouts_.on_joined(now);
     if (joined_)
         network_simulator_ = make_network_simulator(context_.config.development,
                                                     joined_->host().name(), joined_->client());
@@ -189,6 +192,7 @@ void ClientSession::check_end(Clock::time_point now) {
             NoticeKind::draining,
             fmt::format("the server shuts down in {:g} s", context_.config.drain_timeout_seconds)));
     if (const auto hello = resume_.take_waiting_hello()) return on_message(*hello, now);
+    if (joined_) timeouts_.on_input_sequence(joined_->inputs().last_sequence(), now);
     std::optional<SessionEnd> end =
         end_of_session(timeouts_, metrics_, resume_, outbox_, joined_.get(), now);
     if (!end) return;

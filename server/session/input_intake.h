@@ -51,6 +51,7 @@ public:
     void on_results_sent() { results_.clear(); }
     std::vector<InputResult> take_results() { return std::exchange(results_, {}); }
 
+    bool is_spectator() const { return source_.spectator; }
     std::uint32_t last_sequence() const { return last_sequence_; }
     std::uint32_t persisted_sequence() const { return persisted_sequence_; }
     // The client need not send inputs up to this one again, whatever happens to this process.

@@ -57,7 +57,7 @@ std::unique_ptr<JoinedWorld> join(const JoinedWorld::Parts& parts, ClientId clie
                                   DisconnectedClient* lost, Clock::time_point now) {
     IdGuard guard{parts, client};
     if (!lost && hello.resumable && parts.context.config.client.resume_timeout_seconds > 0)
-        parts.resume.open(client, *world, parts.metrics.subject());
+        parts.resume.open(client, *world);
     auto joined = std::make_unique<JoinedWorld>(parts, client, world, hello, lost, now);
     guard.client = 0;  // from here on `joined` releases it
     joined->enter(hello, lost, now);
@@ -66,13 +66,15 @@ std::unique_ptr<JoinedWorld> join(const JoinedWorld::Parts& parts, ClientId clie
 
 Result<std::unique_ptr<JoinedWorld>> join_as_new(const JoinedWorld::Parts& parts,
                                                  const Hello& hello, Clock::time_point now) {
-    const Result<AdmittedClient> admitted = admit_to_world(parts.context, parts.peer, hello);
+    const Result<AdmittedClient> admitted =
+        admit_to_world(parts.context, parts.peer, hello, parts.resume.redeemed_ticket());
     if (!admitted.ok()) return admitted.error();
     const Result<ClientId> client =
-        acquire_client_id(parts.context, *admitted->world, parts.peer.address);
+        acquire_client_id(parts.context, *admitted->world, parts.peer.address,
+                          admitted->who.anonymous ? std::string() : admitted->who.subject);
     if (!client.ok()) return client.error();
-    parts.metrics.set_subject(admitted->subject);
-    parts.resume.set_admission(admitted->by_ticket, hello.spectator);
+    parts.metrics.set_subject(admitted->who.subject);
+    parts.resume.set_holder({admitted->who, admitted->ticket, hello.spectator});
     return join(parts, *client, admitted->world, hello, nullptr, now);
 }
 
@@ -203,7 +205,6 @@ DisconnectedClient JoinedWorld::suspended_state() {
     DisconnectedClient lost{.client = client_,
                             .broadcast = broadcast_,
                             .network = {},
-                            .subject = parts_.metrics.subject(),
                             .result_queue = inputs_.queue(),
                             .results = inputs_.take_results(),
                             .last_sequence = inputs_.last_sequence(),
@@ -249,7 +250,9 @@ Result<std::unique_ptr<JoinedWorld>> enter_world(const JoinedWorld::Parts& parts
             break;
     }
     ASSERT(attempt.client.has_value());
-    parts.metrics.set_subject(attempt.subject);
+    parts.metrics.set_subject(parts.resume.who().subject);
+    if (!parts.resume.who().anonymous)
+        parts.context.sessions.set_subject(attempt.client->client, parts.resume.who().subject);
     DisconnectedClient& lost = *attempt.client;
     return join(parts, lost.client, nullptr, hello, &lost, now);
 }

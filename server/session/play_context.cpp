@@ -19,16 +19,19 @@ void release_client(PlayContext& context, const DisconnectedClient& lost) {
 }
 
 Result<ClientId> acquire_client_id(PlayContext& context, const WorldHost& world,
-                                   const std::string& address) {
+                                   const std::string& address, const std::string& subject) {
     const std::string network = network_of(address);
-    Result<ClientId> client = context.sessions.enter(world.id(), network);
+    if (context.sessions.is_at_limit(subject))
+        if (const auto lost = context.resume_registry.take_oldest_of(subject))
+            release_client(context, *lost);
+    Result<ClientId> client = context.sessions.enter(world.id(), network, subject);
     if (client.ok()) return client;
     std::optional<DisconnectedClient> lost = context.resume_registry.take_oldest(network);
     if (!lost && context.sessions.clients() >= context.config.world.clients_max)
         lost = context.resume_registry.take_oldest({});
     if (!lost) return client;
     release_client(context, *lost);
-    return context.sessions.enter(world.id(), network);
+    return context.sessions.enter(world.id(), network, subject);
 }
 
 void expect_resume(PlayContext& context, const std::shared_ptr<WorldHost>& world, ClientId client,
@@ -39,7 +42,6 @@ void expect_resume(PlayContext& context, const std::shared_ptr<WorldHost>& world
                                     .broadcast = context.broadcast_caches.cache_for(
                                         world, context.config.stream.interest_cell_m),
                                     .network = {},
-                                    .subject = {},
                                     .result_queue = std::make_shared<ResultQueue>(),
                                     .results = {},
                                     .last_sequence = last_sequence,

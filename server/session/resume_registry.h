@@ -22,6 +22,7 @@
 #include <string_view>
 #include <vector>
 
+#include "server/auth/identity.h"
 #include "server/replication/baseline_tracker.h"
 #include "server/session/broadcast_cache.h"
 #include "server/session/resume_token.h"
@@ -36,9 +37,6 @@ struct DisconnectedClient {
     ClientId client = 0;
     std::shared_ptr<BroadcastCache> broadcast;
     std::string network;  // util/address.h
-    std::string subject;  // from its token or ticket, or anonymous_subject
-    bool by_ticket = false;
-    bool spectator = false;
     std::shared_ptr<ResultQueue> result_queue;
     std::vector<InputResult> results;      // not sent yet
     std::uint32_t last_sequence = 0;       // newest input received
@@ -59,10 +57,18 @@ struct DisconnectedClient {
     }
 };
 
+// Who may resume a session.
+struct ResumeHolder {
+    Identity who;        // after a restart of the server only subject, expiry and key
+    std::string ticket;  // Tickets::digest() of its ticket; empty: admitted without a ticket
+    bool spectator = false;
+};
+
 // The entry of one client, shared with its session.
 struct ResumeSession {
     std::string token;
     ClientId client = 0;
+    ResumeHolder holder;                     // guarded by the registry
     std::atomic<bool> is_superseded{false};  // the client resumed elsewhere: the session ends
 };
 
@@ -76,12 +82,20 @@ public:
     void expect(DisconnectedClient client, Clock::time_point until);
     // Null: the operating system returned no random bytes. `who`: content of a sealed token; the
     // token is random if `who` is null or too long.
-    std::shared_ptr<ResumeSession> open(ClientId client, const ResumeToken* who = nullptr);
+    std::shared_ptr<ResumeSession> open(ClientId client, ResumeHolder holder = {},
+                                        const ResumeToken* who = nullptr);
+    // The client resumed with other credentials of the same subject.
+    void set_holder(ResumeSession& resume_session, ResumeHolder holder);
     // The client left for good.
     void close(const ResumeSession& resume_session);
     // The connection broke. The client may resume until `until`.
     void suspend(const ResumeSession& resume_session, DisconnectedClient client,
                  Clock::time_point until);
+
+    // Who may resume the session of a token; nothing: the token is unknown. Changes nothing: the
+    // caller must verify the holder before it calls claim(), which ends the old session.
+    std::optional<ResumeHolder> find_holder(std::string_view token,
+                                            WallTime now = std::chrono::system_clock::now()) const;
 
     enum class ClaimStatus { unknown, pending, claimed };
     struct Claim {
@@ -100,6 +114,8 @@ public:
     // Takes the client that was suspended first, to make room. `network`: only clients of this
     // network; empty: all.
     std::optional<DisconnectedClient> take_oldest(const std::string& network);
+    // The same among the clients of an authenticated subject.
+    std::optional<DisconnectedClient> take_oldest_of(const std::string& subject);
     std::size_t disconnected() const;
 
 private:
@@ -109,7 +125,14 @@ private:
         Clock::time_point until{};
     };
 
-    Entry* find_expected(std::string_view token, WallTime now);
+    struct Expected {
+        ClientId client = 0;
+        ResumeHolder holder;
+    };
+    template <class Filter>
+    std::optional<DisconnectedClient> take_oldest_if(Filter&& filter);
+    const Entry* find_entry(std::string_view token) const;
+    std::optional<Expected> find_expected(std::string_view token, WallTime now) const;
 
     mutable std::mutex mutex_;
     std::string secret_;  // empty: tokens are random

@@ -5,6 +5,7 @@
 #include <openssl/evp.h>
 #include <openssl/hmac.h>
 
+#include <algorithm>
 #include <array>
 
 #include "server/messages/client_message.h"
@@ -14,7 +15,7 @@ namespace jostle::server {
 namespace {
 
 // Part of the sealed bytes, so that other uses of the secret yield no valid tokens.
-constexpr std::string_view purpose = "jostle resume 1";
+constexpr std::string_view purpose = "jostle resume 2";
 using Seal = std::array<unsigned char, 32>;
 
 Seal seal_of(std::string_view bytes, std::string_view secret) {
@@ -27,17 +28,25 @@ Seal seal_of(std::string_view bytes, std::string_view secret) {
     return seal;
 }
 
+// A token without expiry has the latest time that fits.
+std::uint64_t to_seconds(WallTime time) {
+    const auto seconds =
+        std::chrono::duration_cast<std::chrono::seconds>(time.time_since_epoch()).count();
+    return static_cast<std::uint64_t>(std::min<std::int64_t>(seconds, wall_seconds_max));
+}
+
 }  // namespace
 
 std::optional<std::string> seal_token(const ResumeToken& token, std::string_view secret) {
-    const auto expires =
-        std::chrono::duration_cast<std::chrono::seconds>(token.expires.time_since_epoch()).count();
     ByteWriter to;
     to.number(token.client);
     to.text(token.world);
     to.text(token.subject);
-    to.number((token.by_ticket ? 1U : 0U) + (token.spectator ? 2U : 0U));
-    to.number(static_cast<std::uint64_t>(expires));
+    to.text(token.ticket);
+    to.text(token.key);
+    to.number(token.spectator ? 1U : 0U);
+    to.number(to_seconds(token.expires));
+    to.number(to_seconds(token.token_expires));
     std::string sealed = to.take();
     const Seal seal = seal_of(sealed, secret);
     sealed.append(reinterpret_cast<const char*>(seal.data()), seal.size());
@@ -57,12 +66,15 @@ std::optional<ResumeToken> open_token(std::string_view sealed, std::string_view 
     token.client = from.small();
     token.world = from.text();
     token.subject = from.text();
-    const std::uint64_t flags = from.number();
-    token.by_ticket = (flags & 1) != 0;
-    token.spectator = (flags & 2) != 0;
-    const std::uint64_t expires = from.number();
-    if (!from.ok() || !from.at_end() || expires > wall_seconds_max) return std::nullopt;
+    token.ticket = from.text();
+    token.key = from.text();
+    token.spectator = from.number() != 0;
+    const std::uint64_t expires = from.number(), token_expires = from.number();
+    if (!from.ok() || !from.at_end() || expires > wall_seconds_max ||
+        token_expires > wall_seconds_max)
+        return std::nullopt;
     token.expires = WallTime(std::chrono::seconds(expires));
+    token.token_expires = WallTime(std::chrono::seconds(token_expires));
     if (token.expires <= now) return std::nullopt;
     return token;
 }

@@ -17,11 +17,13 @@ namespace jostle::server {
 
 struct ResumeToken {
     ClientId client = 0;
-    std::string world;       // its id
-    std::string subject;     // from its own token or ticket, or anonymous_subject
-    bool by_ticket = false;  // admitted by a ticket
+    std::string world;    // its id
+    std::string subject;  // from its own token or ticket, or anonymous_subject
+    std::string ticket;   // Tickets::digest() of its ticket; empty: admitted without a ticket
+    std::string key;      // Identity::key
     bool spectator = false;
-    WallTime expires{};  // in whole seconds
+    WallTime expires{};        // of the sealed token, in whole seconds
+    WallTime token_expires{};  // Identity::expires, in whole seconds
 
     bool operator==(const ResumeToken&) const = default;
 };

@@ -37,7 +37,7 @@ std::optional<SessionEnd> end_of_world(const WorldHost& host) {
 }
 
 std::optional<SessionEnd> end_of_session(const SessionTimeouts& timeouts,
-                                         const SessionMetrics& metrics, const SessionResume& resume,
+                                         const SessionMetrics& metrics, SessionResume& resume,
                                          const Outbox& outbox, const JoinedWorld* joined,
                                          Clock::time_point now) {
     if (!joined) {
@@ -47,6 +47,9 @@ std::optional<SessionEnd> end_of_session(const SessionTimeouts& timeouts,
     }
     if (const auto why = metrics.kicked())
         return refused({ErrorCode::permission_denied, "an operator removed the client: " + *why});
+    // Without valid credentials the client may return with a new token; a banned one may not.
+    if (Status s = resume.check_credentials(now); !s.ok())
+        return refused(s.error(), s.error().code == ErrorCode::unauthenticated);
     if (resume.is_superseded())
         return SessionEnd{
             {ErrorCode::aborted, "the client resumed the session on another connection"},
@@ -54,6 +57,9 @@ std::optional<SessionEnd> end_of_session(const SessionTimeouts& timeouts,
             true};
     if (std::optional<Error> error = timeouts.client_timeout(now))
         return refused(*std::move(error), true);
+    if (!joined->inputs().is_spectator())
+        if (std::optional<Error> error = timeouts.idle_timeout(now))
+            return refused(*std::move(error));
     if (std::optional<SessionEnd> end = end_of_world(joined->host())) return end;
     if (outbox.replies() <= replies_max && joined->inputs().results().size() <= results_max)
         return std::nullopt;

@@ -30,7 +30,7 @@ std::optional<SessionEnd> end_of_world(const WorldHost& host);
 
 // Nothing: the session continues. Before a Hello `joined` is null.
 std::optional<SessionEnd> end_of_session(const SessionTimeouts& timeouts,
-                                         const SessionMetrics& metrics, const SessionResume& resume,
+                                         const SessionMetrics& metrics, SessionResume& resume,
                                          const Outbox& outbox, const JoinedWorld* joined,
                                          Clock::time_point now);
 

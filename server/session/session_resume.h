@@ -33,22 +33,25 @@ public:
         Outcome outcome = Outcome::new_client;
         std::optional<Error> error = {};
         std::optional<DisconnectedClient> client = {};
-        std::string subject = {};
     };
     // Claims the session of hello.resume. `age`: time since the connection began; it bounds the
-    // wait for an older connection to end or for the world to restart.
+    // wait for an older connection to end or for the world to restart. The older connection ends
+    // only after the Hello has proved the identity of its client.
     Attempt attempt(const Hello& hello, Clock::duration age);
+    // The ticket that attempt() redeemed before it decided that the client is new.
+    const std::optional<Authorizer::Entry>& redeemed_ticket() const { return redeemed_; }
     std::unique_ptr<Hello> take_waiting_hello() { return std::move(waiting_hello_); }
 
-    // How the client was admitted; sealed into the token.
-    void set_admission(bool by_ticket, bool spectator) {
-        by_ticket_ = by_ticket;
-        spectator_ = spectator;
-    }
+    // Who was admitted and how; sealed into the token.
+    void set_holder(ResumeHolder holder) { holder_ = std::move(holder); }
+    const Identity& who() const { return holder_.who; }
+    // Whether the credentials of the session are still valid. Looks at most four times per second,
+    // or after a change of the keys.
+    Status check_credentials(Clock::time_point now);
     // Opens the entry of a new session. The session cannot be resumed if the operating system
     // returns no random bytes.
-    void open(ClientId client, const WorldHost& world, const std::string& subject);
-    // Suspends an open session. Adds how the client was admitted to `client`.
+    void open(ClientId client, const WorldHost& world);
+    // Suspends an open session.
     void suspend(DisconnectedClient client, Clock::time_point now);
     // The client left for good.
     void close();
@@ -62,7 +65,8 @@ public:
 
 private:
     Attempt claimed(ResumeRegistry::Claim claim, const Hello& hello, Clock::duration age);
-    Result<std::string> check(const Hello& hello, const DisconnectedClient& lost);
+    Status prove_identity(const Hello& hello, const ResumeHolder& holder);
+    Status check_rights(const Hello& hello, const DisconnectedClient& lost);
     Attempt wait(const Hello& hello);
     void take_entry(std::shared_ptr<ResumeSession> entry);
 
@@ -71,7 +75,12 @@ private:
     std::unique_ptr<Hello> waiting_hello_;  // null: no attempt is waiting
     std::shared_ptr<ResumeSession> entry_;
     std::unique_ptr<SentLog> sent_log_;
-    bool by_ticket_ = false, spectator_ = false;
+    ResumeHolder holder_;         // of this session, or of the session that it resumes
+    bool is_proved_ = false;      // prove_identity() succeeded
+    bool by_own_ticket_ = false;  // the Hello shows the ticket of the suspended session again
+    std::optional<Authorizer::Entry> redeemed_;
+    Clock::time_point next_check_{};
+    std::uint64_t checked_revision_ = 0;
 };
 
 }  // namespace jostle::server

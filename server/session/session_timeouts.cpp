@@ -12,6 +12,10 @@ void SessionTimeouts::on_datagram(Clock::time_point arrived) {
     last_received_ = std::max(last_received_, arrived);
 }
 
+void SessionTimeouts::on_input_sequence(std::uint32_t sequence, Clock::time_point now) {
+    if (std::exchange(input_sequence_, sequence) != sequence) last_input_ = now;
+}
+
 void SessionTimeouts::on_write_blocked(Clock::time_point now) {
     if (!blocked_since_) blocked_since_ = now;
 }
@@ -21,6 +25,7 @@ void SessionTimeouts::forgive_process_stall(Clock::time_point now) {
     if (pause <= process_stall_min) return;
     begun_ += pause;
     last_received_ = std::min(last_received_ + pause, now);
+    last_input_ = std::min(last_input_ + pause, now);
     if (blocked_since_) blocked_since_ = std::min(*blocked_since_ + pause, now);
 }
 
@@ -36,6 +41,14 @@ std::optional<Error> SessionTimeouts::client_timeout(Clock::time_point now) cons
     return Error{ErrorCode::deadline_exceeded,
                  fmt::format("no message arrived for {:g} s; send an Ack or a Ping more often",
                              settings_.client_timeout_seconds)};
+}
+
+std::optional<Error> SessionTimeouts::idle_timeout(Clock::time_point now) const {
+    if (idle_kick_seconds_ <= 0 || now - last_input_ <= from_seconds(idle_kick_seconds_))
+        return std::nullopt;
+    return Error{ErrorCode::deadline_exceeded,
+                 fmt::format("the client sent no input for {:g} s; join as a spectator to watch",
+                             idle_kick_seconds_)};
 }
 
 std::optional<Error> SessionTimeouts::read_timeout(Clock::time_point now) const {

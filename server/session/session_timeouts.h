@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Timeouts of one session: no Hello, no messages, no reads. Time in which this process or its
-// machine was stalled does not count against the client. Used on the session's thread.
+// Timeouts of one session: no Hello, no messages, no inputs, no reads. Time in which this process
+// or its machine was stalled does not count against the client. Used on the session's thread.
 #pragma once
 
+#include <cstdint>
 #include <optional>
 
 #include "jostle/base/result.h"
@@ -14,12 +15,22 @@ namespace jostle::server {
 
 class SessionTimeouts {
 public:
-    SessionTimeouts(const StreamSettings& settings, Clock::time_point now)
-        : settings_(settings), begun_(now), last_received_(now), checked_(now) {}
+    // `idle_kick_seconds`: 0 disables the idle timeout.
+    SessionTimeouts(const StreamSettings& settings, Clock::time_point now,
+                    double idle_kick_seconds = 0)
+        : settings_(settings),
+          idle_kick_seconds_(idle_kick_seconds),
+          begun_(now),
+          last_received_(now),
+          last_input_(now),
+          checked_(now) {}
 
     void on_received(Clock::time_point now) { last_received_ = now; }
     // Datagrams are taken some time after they arrived, possibly after a newer stream message.
     void on_datagram(Clock::time_point arrived);
+    void on_joined(Clock::time_point now) { last_input_ = now; }
+    // `sequence`: of the newest input. The client is active if it changed.
+    void on_input_sequence(std::uint32_t sequence, Clock::time_point now);
     void on_write_blocked(Clock::time_point now);
     void on_writable() { blocked_since_.reset(); }
 
@@ -30,13 +41,17 @@ public:
     // Why the session ends now; nothing: it does not.
     std::optional<Error> hello_timeout(Clock::time_point now) const;
     std::optional<Error> client_timeout(Clock::time_point now) const;
+    // Only for players.
+    std::optional<Error> idle_timeout(Clock::time_point now) const;
     std::optional<Error> read_timeout(Clock::time_point now) const;
 
     Clock::duration age(Clock::time_point now) const { return now - begun_; }
 
 private:
     const StreamSettings& settings_;
-    Clock::time_point begun_, last_received_, checked_;
+    const double idle_kick_seconds_;
+    Clock::time_point begun_, last_received_, last_input_, checked_;
+    std::uint32_t input_sequence_ = 0;
     std::optional<Clock::time_point> blocked_since_;  // nothing: the transport can write
 };
 

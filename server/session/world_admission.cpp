@@ -22,30 +22,35 @@ Status check_play_access(PlayContext& context, const Peer& peer, const Hello& he
     return context.authorizer.admit(who, {play_inputs, world_target(world), peer.address});
 }
 
-Result<AdmittedClient> admit_by_ticket(PlayContext& context, const Peer& peer, const Hello& hello) {
+Result<AdmittedClient> admit_by_ticket(PlayContext& context, const Peer& peer, const Hello& hello,
+                                       const Authorizer::Entry& entry) {
+    Result<std::shared_ptr<WorldHost>> world = find_world(context, entry.world_id);
+    if (!world.ok()) return world.error();
+    if (Status s = check_play_access(context, peer, hello, entry.who, **world); !s.ok())
+        return s.error();
+    return AdmittedClient{*std::move(world), entry.who, Tickets::digest(hello.ticket)};
+}
+
+}  // namespace
+
+Result<Identity> identify_by_token(PlayContext& context, const Peer& peer, const Hello& hello) {
+    if (hello.token.empty()) return peer.who;
+    return context.authorizer.identify({.bearer = hello.token, .address = peer.address});
+}
+
+Result<Authorizer::Entry> redeem_ticket(PlayContext& context, const Peer& peer,
+                                        const Hello& hello) {
     std::string named;
     if (!hello.world.empty()) {
         const Result<std::shared_ptr<WorldHost>> world = find_world(context, hello.world);
         if (!world.ok()) return world.error();
         named = (*world)->id();
     }
-    const Result<Authorizer::Entry> entry =
-        context.authorizer.redeem_ticket(hello.ticket, named, peer.address);
-    if (!entry.ok()) return entry.error();
-    Result<std::shared_ptr<WorldHost>> world = find_world(context, entry->world_id);
-    if (!world.ok()) return world.error();
-    if (Status s = check_play_access(context, peer, hello, entry->who, **world); !s.ok())
-        return s.error();
-    return AdmittedClient{*std::move(world), entry->who.subject, true};
+    return context.authorizer.redeem_ticket(hello.ticket, named, peer.address);
 }
 
-}  // namespace
-
 Result<AdmittedClient> admit_by_token(PlayContext& context, const Peer& peer, const Hello& hello) {
-    const Result<Identity> who =
-        hello.token.empty()
-            ? peer.who
-            : context.authorizer.identify({.bearer = hello.token, .address = peer.address});
+    Result<Identity> who = identify_by_token(context, peer, hello);
     if (!who.ok()) return who.error();
     Result<std::shared_ptr<WorldHost>> world = find_world(context, hello.world);
     if (!world.ok()) return world.error();
@@ -53,12 +58,16 @@ Result<AdmittedClient> admit_by_token(PlayContext& context, const Peer& peer, co
     if (Status s = context.authorizer.admit(*who, request); !s.ok()) return s.error();
     if (Status s = check_play_access(context, peer, hello, *who, **world); !s.ok())
         return s.error();
-    return AdmittedClient{*std::move(world), who->subject, false};
+    return AdmittedClient{*std::move(world), *std::move(who), {}};
 }
 
-Result<AdmittedClient> admit_to_world(PlayContext& context, const Peer& peer, const Hello& hello) {
-    return hello.ticket.empty() ? admit_by_token(context, peer, hello)
-                                : admit_by_ticket(context, peer, hello);
+Result<AdmittedClient> admit_to_world(PlayContext& context, const Peer& peer, const Hello& hello,
+                                      const std::optional<Authorizer::Entry>& redeemed) {
+    if (hello.ticket.empty()) return admit_by_token(context, peer, hello);
+    if (redeemed) return admit_by_ticket(context, peer, hello, *redeemed);
+    const Result<Authorizer::Entry> entry = redeem_ticket(context, peer, hello);
+    if (!entry.ok()) return entry.error();
+    return admit_by_ticket(context, peer, hello, *entry);
 }
 
 }  // namespace jostle::server

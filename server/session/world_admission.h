@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "jostle/base/result.h"
@@ -16,13 +17,20 @@ namespace jostle::server {
 
 struct AdmittedClient {
     std::shared_ptr<WorldHost> world;  // never null
-    std::string subject;               // from its token or ticket, or anonymous_subject
-    bool by_ticket = false;
+    Identity who;
+    std::string ticket;  // Tickets::digest() of its ticket; empty: admitted without a ticket
 };
 
-// Errors: the world does not exist, or the client may not join it. Redeems the ticket, if any.
-Result<AdmittedClient> admit_to_world(PlayContext& context, const Peer& peer, const Hello& hello);
-// The same without the ticket, for clients that resume by the token of their session.
+// The identity that the token of a Hello, or else its transport, proves.
+Result<Identity> identify_by_token(PlayContext& context, const Peer& peer, const Hello& hello);
+// Redeems the ticket of a Hello. Errors: the named world does not exist, or the ticket is invalid.
+Result<Authorizer::Entry> redeem_ticket(PlayContext& context, const Peer& peer, const Hello& hello);
+
+// Errors: the world does not exist, or the client may not join it. `redeemed`: the ticket of the
+// Hello, if it was redeemed already; otherwise it is redeemed now.
+Result<AdmittedClient> admit_to_world(PlayContext& context, const Peer& peer, const Hello& hello,
+                                      const std::optional<Authorizer::Entry>& redeemed = {});
+// The same without the ticket.
 Result<AdmittedClient> admit_by_token(PlayContext& context, const Peer& peer, const Hello& hello);
 
 }  // namespace jostle::server

@@ -32,13 +32,15 @@ std::size_t character_at(std::string_view text) {
 }
 
 // ASCII control characters; U+0080 to U+009F, which terminals also obey; and Unicode characters
-// that break lines or change their direction: U+200E to 200F, 2028 to 202E, 2066 to 2069.
+// that break lines, change their direction or are invisible: U+200E to 200F, 2028 to 202E, 2066 to
+// 2069, FEFF.
 bool is_control(std::string_view character) {
     const auto byte = [&](std::size_t i) { return static_cast<unsigned char>(character[i]); };
     const auto within = [](unsigned char c, int low, int high) { return low <= c && c <= high; };
     ASSERT(!character.empty());
     if (character.size() == 1) return byte(0) < 0x20 || byte(0) == 0x7f;
     if (character.size() == 2) return byte(0) == 0xc2 && byte(1) < 0xa0;
+    if (character == "\xef\xbb\xbf") return true;
     if (character.size() != 3 || byte(0) != 0xe2) return false;
     if (byte(1) == 0x80) return within(byte(2), 0x8e, 0x8f) || within(byte(2), 0xa8, 0xae);
     return byte(1) == 0x81 && within(byte(2), 0xa6, 0xa9);
@@ -96,6 +98,15 @@ std::string quoted(std::string_view text, std::size_t bytes_max) {
         out += c;
     }
     return out + '"';
+}
+
+bool has_control_character(std::string_view text) {
+    while (!text.empty()) {
+        const std::size_t size = character_at(text);
+        if (size == 0 || is_control(text.substr(0, size))) return true;
+        text.remove_prefix(size);
+    }
+    return false;
 }
 
 }  // namespace jostle::server

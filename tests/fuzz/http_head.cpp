@@ -18,6 +18,7 @@ namespace {
 
 // What the gateway does with one request, up to its answer.
 void parse_head(const server::BeastRequest& raw, const server::HttpServerSettings& settings) {
+    static_cast<void>(server::request_fault(raw));
     const server::HttpRequest request = server::to_http_request(raw);
     expect(request.target.size() <= settings.header_bytes_max, "a target fits into the header");
     expect(request.body.size() <= settings.body_bytes_max, "a body is within its bound");
@@ -47,6 +48,10 @@ void run(Bytes input) {
             const bool ended = fresh.empty();
             buffer.commit(boost::asio::buffer_copy(
                 buffer.prepare(fresh.size()), boost::asio::buffer(fresh.data(), fresh.size())));
+            if (!parser.is_header_done() &&
+                server::has_folded_header(
+                    {static_cast<const char*>(buffer.cdata().data()), buffer.cdata().size()}))
+                return;
             boost::beast::error_code error;
             buffer.consume(parser.put(buffer.data(), error));
             if (error == boost::beast::http::error::need_more && !ended) continue;

@@ -215,13 +215,14 @@ TEST(Lifecycle, survives_garbage_on_both_ports) {
     EXPECT_TRUE(request_raw(server.http_port(),
                             "GET / HTTP/1.1\r\nX: " + std::string(10000, 'x') + "\r\n\r\n",
                             " 431 "));
-    EXPECT_TRUE(request_raw(server.http_port(),
-                            "POST /api/worlds HTTP/1.1\r\nContent-Length: 99999999\r\n\r\n",
-                            " 413 "));
+    EXPECT_TRUE(request_raw(
+        server.http_port(),
+        "POST /api/worlds HTTP/1.1\r\nHost: x\r\nContent-Length: 99999999\r\n\r\n", " 413 "));
     // Regression test: the chunk parser aborted the process when the last chunk arrived in such
     // pieces.
     EXPECT_TRUE(request_raw(server.http_port(),
-                            "PUT / HTTP/1.1\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n", " 411 "));
+                            "PUT / HTTP/1.1\r\nHost: x\r\nTransfer-Encoding: chunked\r\n\r\n0\r\n",
+                            " 411 "));
     EXPECT_TRUE(request_raw(server.http_port(),
                             "GET /../../etc/passwd HTTP/1.1\r\nHost: localhost\r\n\r\n", " 400 "));
     const auto player = grpc_player(server.grpc_address());

@@ -60,6 +60,15 @@ std::string scene_file_text(const v1::Scene& scene) {
     return text;
 }
 
+// `Request`: BanRequest or UnbanRequest.
+template <class Request>
+void set_target(Request& request, const CommandArguments& arguments) {
+    if (arguments.network.empty())
+        request.set_subject(arguments.subject);
+    else
+        request.set_network(arguments.network);
+}
+
 Outcome set_paused(Connection& server, const CommandArguments& arguments, bool paused) {
     v1::SetPausedRequest request;
     request.set_world(arguments.world);
@@ -120,6 +129,37 @@ Outcome kick(Connection& server, const CommandArguments& arguments) {
     return to_outcome(
         response, arguments,
         "client " + std::to_string(arguments.client) + " was disconnected; it may reconnect");
+}
+
+Outcome ban(Connection& server, const CommandArguments& arguments) {
+    v1::BanRequest request;
+    set_target(request, arguments);
+    request.set_reason(arguments.reason);
+    request.set_duration_seconds(arguments.hours * 3600);
+    const auto response = server.call(&Admin::Ban, request);
+    if (!response.ok()) return server_error(response.error());
+    const v1::BanInfo& ban = response->ban();
+    return to_outcome(
+        response, arguments,
+        sanitized(ban.subject() + ban.network()) + " is banned" +
+            (ban.expires().empty() ? "" : " until " + ban.expires()) +
+            (response->persisted()
+                 ? ""
+                 : "; the server has no database, so the ban ends when the server stops"));
+}
+
+Outcome unban(Connection& server, const CommandArguments& arguments) {
+    v1::UnbanRequest request;
+    set_target(request, arguments);
+    const auto response = server.call(&Admin::Unban, request);
+    return to_outcome(response, arguments,
+                      sanitized(arguments.subject + arguments.network) + " is no longer banned");
+}
+
+Outcome list_bans(Connection& server, const CommandArguments& arguments) {
+    const auto response = server.call(&Admin::ListBans, v1::ListBansRequest());
+    if (!response.ok()) return server_error(response.error());
+    return {.text = arguments.json ? json_text(*response) : bans_text(*response)};
 }
 
 Outcome pause(Connection& server, const CommandArguments& arguments) {

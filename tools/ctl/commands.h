@@ -16,8 +16,10 @@ struct CommandArguments {
     std::string world, name, scene, file, reason;
     std::string from;  // world of which the new one is a copy
     std::uint32_t client = 0, steps = 1;
-    std::uint32_t tick = 0;  // 0: the current tick
+    std::uint32_t tick = 0;        // 0: the current tick
+    std::string subject, network;  // of a ban; one of them is empty
     double seconds = 5;
+    double hours = 0;  // of a ban; 0: until it is removed
     bool json = false;
 };
 
@@ -32,6 +34,9 @@ Outcome create_world(Connection& server, const CommandArguments& arguments);
 Outcome delete_world(Connection& server, const CommandArguments& arguments);
 Outcome list_clients(Connection& server, const CommandArguments& arguments);
 Outcome kick(Connection& server, const CommandArguments& arguments);
+Outcome ban(Connection& server, const CommandArguments& arguments);
+Outcome unban(Connection& server, const CommandArguments& arguments);
+Outcome list_bans(Connection& server, const CommandArguments& arguments);
 Outcome pause(Connection& server, const CommandArguments& arguments);
 Outcome resume(Connection& server, const CommandArguments& arguments);
 Outcome step(Connection& server, const CommandArguments& arguments);

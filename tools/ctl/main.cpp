@@ -21,6 +21,8 @@ Examples:
   jostlectl world create arena --file arena.json    create a world from a scene file
   jostlectl clients arena                           list clients, connection times and data rates
   jostlectl kick 17 --reason "please be kind"
+  jostlectl ban --subject eve --hours 24 --reason "spamming"
+  jostlectl ban --network 2001:db8::/48             ban a network; see also bans, unban
   jostlectl pause arena && jostlectl step arena 60 && jostlectl resume arena
   jostlectl export arena arena.json                 write a scene file; "-" is standard output
   jostlectl export arena then.json --at 1234        export an earlier tick of a persisted world
@@ -151,6 +153,29 @@ void add_client_commands(CLI::App& app, Flags& flags) {
         ->required();
     kick->add_option("--reason", w.reason, "Send TEXT to the client [at most 100 bytes]")
         ->type_name("TEXT");
+    for (const auto& [name, help, command] :
+         {std::tuple("ban", "Ban a subject or a network and end its sessions", &jostle::ctl::ban),
+          std::tuple("unban", "Remove a ban", &jostle::ctl::unban)}) {
+        CLI::App* const sub = add(app, flags, name, help, command);
+        auto* const target = sub->add_option_group("Target");
+        target
+            ->add_option("--subject", w.subject,
+                         "Subject of a token, as listed by \"clients\" or \"bans\"")
+            ->type_name("SUBJECT");
+        target
+            ->add_option("--network", w.network,
+                         "Address or prefix, such as 192.0.2.7, 192.0.2.0/24 or 2001:db8::/48; an "
+                         "IPv6 address is its /64")
+            ->type_name("NETWORK");
+        target->require_option(1);
+        if (command != &jostle::ctl::ban) continue;
+        sub->add_option("--reason", w.reason, "Send TEXT to the banned caller [at most 100 bytes]")
+            ->type_name("TEXT");
+        sub->add_option("--hours", w.hours, "Duration [default: until unban; at most 87600]")
+            ->type_name("HOURS")
+            ->check(CLI::Range(0.0, 87600.0).description(""));
+    }
+    add(app, flags, "bans", "List the bans", jostle::ctl::list_bans);
     add(app, flags, "drain", "Notify all clients, then stop the server", jostle::ctl::drain);
 }
 

@@ -54,6 +54,19 @@ std::string clients_text(const v1::ListClientsResponse& clients) {
     return table.text();
 }
 
+std::string bans_text(const v1::ListBansResponse& bans) {
+    const std::string note =
+        bans.persisted() ? "" : "The server has no database: bans end when it stops.\n";
+    if (bans.bans().empty()) return "There are no bans.\n" + note;
+    Table table({{"SUBJECT"}, {"NETWORK"}, {"UNTIL"}, {"BY"}, {"REASON"}});
+    for (const v1::BanInfo& ban : bans.bans())
+        table.add({ban.subject().empty() ? "-" : sanitized(ban.subject()),
+                   ban.network().empty() ? "-" : ban.network(),
+                   ban.expires().empty() ? "unban" : ban.expires(), sanitized(ban.by()),
+                   sanitized(ban.reason(), 100)});
+    return table.text() + note;
+}
+
 std::string json_text(const google::protobuf::Message& message) {
     google::protobuf::util::JsonPrintOptions options;
     options.add_whitespace = true;

@@ -12,6 +12,7 @@ namespace jostle::ctl {
 
 std::string worlds_text(const v1::ListWorldsResponse& worlds);
 std::string clients_text(const v1::ListClientsResponse& clients);
+std::string bans_text(const v1::ListBansResponse& bans);
 
 // The message as multi-line protobuf JSON, including zero values.
 std::string json_text(const google::protobuf::Message& message);

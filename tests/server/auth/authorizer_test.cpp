@@ -173,6 +173,77 @@ TEST_F(AuthorizerTest, token_for_one_world_is_rejected_for_other_worlds) {
     EXPECT_FALSE(admit(director, create, {}).ok());
 }
 
+TEST_F(AuthorizerTest, administrator_of_two_worlds_does_not_administrate_the_server) {
+    const Identity boss = known("boss", "admin", {{"world", {"w1", "pit"}}});
+    EXPECT_EQ(boss.worlds, (std::vector<std::string>{"w1", "pit"}));
+    const char* rewind = "jostle.v1.AdminService/RewindWorld";
+    EXPECT_TRUE(admit(boss, rewind, {"w1", "arena", ""}).ok());
+    EXPECT_TRUE(admit(boss, rewind, {"w2", "pit", ""}).ok());
+    EXPECT_EQ(error_of(admit(boss, rewind, {"w3", "yard", "boss"})).code,
+              ErrorCode::permission_denied);
+    const Error error = error_of(admit(boss, "jostle.v1.AdminService/Drain", {}));
+    EXPECT_EQ(error.code, ErrorCode::permission_denied);
+    EXPECT_EQ(error.message,
+              "this call concerns the entire server; the token is limited to certain worlds (claim "
+              "world)");
+}
+
+TEST_F(AuthorizerTest, banned_callers_may_call_only_what_is_open) {
+    const Identity eve = known("eve", "player"), boss = known("boss", "admin"),
+                   max = known("max", "player");
+    const std::string ticket = authorizer->issue_ticket(eve, "w1", home, now).value();
+    const std::uint64_t before = authorizer->revision();
+    ASSERT_TRUE(authorizer->bans()
+                    .add({.target = {"eve", {}},
+                          .reason = "griefing",
+                          .by = "boss",
+                          .created = now.wall,
+                          .expires = now.wall + 1h},
+                         now.wall)
+                    .ok());
+    EXPECT_NE(authorizer->revision(), before);
+    const std::string refusal =
+        "the subject of the token is banned until 2026-09-21T15:13:20.000Z: griefing";
+    for (const char* call : {join, play, debug, play_inputs.data()}) {
+        const Error error = error_of(admit(eve, call));
+        EXPECT_EQ(error.code, ErrorCode::permission_denied);
+        EXPECT_EQ(error.message, refusal);
+        EXPECT_TRUE(admit(max, call).ok());
+    }
+    EXPECT_EQ(error_of(authorizer->check_session(eve, home, now)).message, refusal);
+    EXPECT_EQ(authorizer->redeem_ticket(ticket, "", home, now).error().message, refusal);
+    EXPECT_TRUE(admit(eve, "GET /healthz").ok());
+    now.wall += 59min;
+    EXPECT_FALSE(admit(eve, play).ok());
+    now.wall += 1min;
+    EXPECT_TRUE(authorizer->check_session(eve, home, now).ok()) << "the ban has expired";
+    EXPECT_TRUE(admit(known("eve", "player"), play).ok());
+
+    ASSERT_TRUE(authorizer->bans()
+                    .add({.target = {{}, parse_network("192.0.2.0/24").value()}}, now.wall)
+                    .ok());
+    EXPECT_EQ(error_of(admit(known("max", "player"), play)).message, "this network is banned");
+    EXPECT_FALSE(admit(known("max", "player"), play, {"w1", "arena", ""}, "::ffff:192.0.2.9").ok());
+    EXPECT_TRUE(admit(known("max", "player"), play, {"w1", "arena", ""}, "192.0.3.7").ok());
+    const Identity operator_ = known("boss", "admin");
+    EXPECT_TRUE(admit(operator_, "jostle.v1.AdminService/Unban", {}).ok());
+    EXPECT_FALSE(admit(operator_, play).ok());
+    ASSERT_TRUE(authorizer->bans().add({.target = {"boss", {}}}, now.wall).ok());
+    EXPECT_FALSE(admit(operator_, "jostle.v1.AdminService/Unban", {}).ok());
+}
+
+TEST_F(AuthorizerTest, bans_are_stored_next_to_the_database) {
+    config.persistence.database = folder / "worlds.db";
+    open();
+    ASSERT_TRUE(authorizer->bans().add({.target = {"eve", {}}}, now.wall).ok());
+    open();
+    EXPECT_FALSE(admit(known("eve", "player"), play).ok());
+    folder.write("worlds.db.bans.json", "{");
+    const auto opened = Authorizer::open(config);
+    ASSERT_FALSE(opened.ok());
+    EXPECT_NE(opened.error().message.find("worlds.db.bans.json is damaged"), std::string::npos);
+}
+
 TEST_F(AuthorizerTest, identity_expires_with_its_token) {
     const Identity anna = known("anna", "player");
     now.wall += 1h + 29s;

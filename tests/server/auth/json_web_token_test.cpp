@@ -55,7 +55,7 @@ TEST_F(JsonWebToken, returns_subject_and_expiry) {
     EXPECT_EQ(who->role, Role::player);
     EXPECT_FALSE(who->anonymous);
     EXPECT_EQ(who->token_id, "t-17");
-    EXPECT_EQ(who->world, "arena");
+    EXPECT_EQ(who->worlds, std::vector<std::string>{"arena"});
     EXPECT_EQ(who->expires, now + 1h + 30s) << "1 h plus the leeway";
 }
 
@@ -127,6 +127,59 @@ TEST_F(JsonWebToken, rejects_reserved_subjects_and_unknown_roles) {
     EXPECT_NE(fault_with({{"role", {"admin"}}}), "");
     EXPECT_NE(fault_with({{"world", 5}}), "");
     EXPECT_NE(fault_with({{"world", ""}}), "") << "an empty name would match any world";
+    EXPECT_NE(fault_with({{"world", Json::array()}}), "") << "no world would mean any world";
+    EXPECT_NE(fault_with({{"world", Json::array({"arena", 5})}}), "");
+    EXPECT_NE(fault_with({{"world", Json::array({"arena", ""})}}), "");
+    EXPECT_NE(fault_with({{"world", Json(std::vector<std::string>(33, "arena"))}}), "");
+    EXPECT_EQ(fault_with({{"world", Json(std::vector<std::string>(32, "arena"))}}), "");
+}
+
+// Names reach logs, terminals and the list of clients.
+TEST_F(JsonWebToken, rejects_control_characters_in_names) {
+    const std::string nul("a\0b", 3);
+    const std::string bad[] = {nul,
+                               "a\nb",
+                               "a\rb",
+                               "a\tb",
+                               "\x1b[2J",
+                               "a\x7f",
+                               "a\xc2\x85",      // U+0085, next line
+                               "a\xe2\x80\xa8",  // U+2028, line separator
+                               "a\xe2\x80\xae",  // U+202E, right-to-left override
+                               "a\xe2\x81\xa6",  // U+2066, left-to-right isolate
+                               "\xef\xbb\xbf"
+                               "a"};  // U+FEFF, byte order mark
+    for (const std::string& name : bad)
+        for (const char* claim : {"sub", "jti", "world"}) {
+            const std::string fault = fault_with({{claim, name}});
+            EXPECT_NE(fault.find("contains a control character"), std::string::npos)
+                << claim << ": " << fault;
+        }
+    for (const char* name : {"J\xc3\xb8rn", "\xe4\xbd\xa0\xe5\xa5\xbd", "a b", "\xf0\x9f\x99\x82"})
+        for (const char* claim : {"sub", "jti", "world"})
+            EXPECT_EQ(fault_with({{claim, name}}), "") << claim << name;
+}
+
+TEST_F(JsonWebToken, rejects_claims_with_byte_order_mark_zero_byte_or_duplicates) {
+    const auto sign = [&](const std::string& text) { return login.key.sign(text); };
+    const std::string claims = good.dump();
+    const auto fault = [&](const std::string& text) {
+        return fault_of(test::assemble(login.header().dump(), text, sign));
+    };
+    EXPECT_EQ(fault(claims), "");
+    EXPECT_NE(fault("\xef\xbb\xbf" + claims), "");
+    EXPECT_NE(fault(claims + std::string(1, '\0')), "");
+    EXPECT_NE(fault(R"({"sub": "eve",)" + claims.substr(1)), "");
+    EXPECT_NE(fault(R"({"\u0073ub": "eve",)" + claims.substr(1)), "");
+    EXPECT_NE(fault_of(test::assemble("\xef\xbb\xbf" + login.header().dump(), claims, sign)), "");
+}
+
+TEST_F(JsonWebToken, rejects_contradicting_times) {
+    EXPECT_EQ(fault_with({{"iat", seconds + 20}, {"exp", seconds + 10}}),
+              "the token expires (exp) before it was issued (iat)");
+    EXPECT_EQ(fault_with({{"nbf", seconds + 20}, {"exp", seconds + 10}}),
+              "the token expires (exp) before it is valid (nbf)");
+    EXPECT_EQ(fault_with({{"nbf", seconds + 10}, {"exp", seconds + 10}}), "");
 }
 
 TEST_F(JsonWebToken, accepts_only_es256) {

@@ -33,9 +33,16 @@ TEST(StrictJson, rejects_excessive_nesting) {
     EXPECT_EQ(strict_json_fault(std::string(100000, '[')), "it is nested too deeply");
 }
 
+TEST(StrictJson, rejects_byte_order_marks_and_zero_bytes) {
+    EXPECT_EQ(strict_json_fault("\xef\xbb\xbf{}"), "it begins with a byte order mark");
+    EXPECT_EQ(strict_json_fault(std::string("{}\0", 3)), "it has a zero byte");
+    EXPECT_EQ(strict_json_fault(std::string("{}\0{\"a\": 1}", 11)), "it has a zero byte");
+    EXPECT_EQ(strict_json_fault(R"({"a": "\ufeff"})"), "") << "within a string it is a character";
+}
+
 TEST(StrictJson, rejects_malformed_json_and_trailing_data) {
     for (const char* text : {"", "{", "{} {}", "{\"a\": 1,}", "'a'", "{\"a\": NaN}", "\"\xff\"",
-                             "{\"a\": 1} x", "\xef\xbb\xbf{", "/* no */ {}"}) {
+                             "{\"a\": 1} x", "/* no */ {}"}) {
         EXPECT_EQ(strict_json_fault(text), "it is not valid JSON") << text;
     }
 }

@@ -40,7 +40,8 @@ protected:
                        .anonymous_role = "none",
                        .audit_log = folder / "audit.jsonl"};
         config.quota.creates_per_minute = config.quota.joins_per_minute =
-            config.quota.queries_per_second = config.quota.refused_logins_per_minute = 1e6;
+            config.quota.queries_per_second = config.quota.refused_logins_per_minute =
+                config.quota.refusals_audited_per_minute = 1e6;
         authorizer = *Authorizer::open(config);
         context.reset(new PlayContext{
             .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *authorizer});
@@ -198,6 +199,56 @@ TEST_F(AccessTest, every_route_enforces_its_access_row) {
                 << row.call << " by " << user.name << ": " << answer.status << answer.body;
         }
     }
+}
+
+// anna administrates the world "mine" only.
+TEST_F(AccessTest, token_for_one_world_sees_and_administrates_only_that_world) {
+    auto claims = LoginService::claims("anna", "admin", std::chrono::system_clock::now());
+    claims["world"] = "mine";
+    const std::string token = login.token(claims);
+    const auto stub = v1::WorldService::NewStub(channel);
+    grpc::ClientContext listing;
+    listing.AddMetadata("authorization", "Bearer " + token);
+    v1::ListWorldsResponse listed;
+    ASSERT_TRUE(stub->ListWorlds(&listing, {}, &listed).ok());
+    ASSERT_EQ(listed.worlds_size(), 1);
+    EXPECT_EQ(listed.worlds(0).name(), "mine");
+    const HttpRoutes routes(*control, *queries,
+                            {.web_root = "/nonexistent",
+                             .allowed_origins = {},
+                             .not_ready_reason = [] { return std::optional<std::string>(); },
+                             .failure_reason = [] { return std::nullopt; }});
+    const HttpResponse page = routes.handle({.method = "GET",
+                                             .target = "/api/worlds",
+                                             .authorization = "Bearer " + token,
+                                             .address = "127.0.0.1"});
+    const auto worlds_of_page = nlohmann::json::parse(page.body)["worlds"];
+    ASSERT_EQ(worlds_of_page.size(), 1u) << page.body;
+    EXPECT_EQ(worlds_of_page[0]["name"], "mine");
+    const std::string admin_service = "/jostle.v1.AdminService/";
+    EXPECT_EQ(call(admin_service + "SetPaused", "mine", token), grpc::StatusCode::OK);
+    EXPECT_EQ(call(admin_service + "ListClients", "mine", token), grpc::StatusCode::OK);
+    EXPECT_EQ(call(admin_service + "ListClients", "", token), grpc::StatusCode::OK);
+    for (const char* name : {"SetPaused", "ListClients", "ExportWorld", "RewindWorld", "Profile"})
+        EXPECT_EQ(call(admin_service + name, "theirs", token), grpc::StatusCode::PERMISSION_DENIED)
+            << name;
+    EXPECT_EQ(call(admin_service + "Drain", "", token), grpc::StatusCode::PERMISSION_DENIED);
+    for (const char* name : {"Ban", "Unban", "ListBans"})
+        EXPECT_EQ(call(admin_service + name, "eve", token), grpc::StatusCode::PERMISSION_DENIED);
+    EXPECT_EQ(call("/jostle.v1.WorldService/CreateWorld", "", token),
+              grpc::StatusCode::PERMISSION_DENIED);
+    EXPECT_EQ(call("/jostle.v1.WorldService/DeleteWorld", "theirs", token),
+              grpc::StatusCode::PERMISSION_DENIED);
+}
+
+TEST_F(AccessTest, audits_bans_with_their_subject) {
+    const std::string token = token_of({"anna", "admin", Role::admin});
+    EXPECT_EQ(call("/jostle.v1.AdminService/Ban", "eve", token), grpc::StatusCode::OK);
+    EXPECT_EQ(
+        call("/jostle.v1.WorldService/ListWorlds", "", token_of({"eve", "player", Role::player})),
+        grpc::StatusCode::PERMISSION_DENIED);
+    EXPECT_EQ(audited("done", "jostle.v1.AdminService/Ban"), 1);
+    EXPECT_NE(folder.read("audit.jsonl").find(R"("target":"subject eve")"), std::string::npos);
 }
 
 TEST_F(AccessTest, rejects_and_audits_forged_and_expired_tokens) {

@@ -58,10 +58,10 @@ TEST(ConnectedClientsTest, kick_stores_the_reason) {
     ConnectedClients connected_clients;
     const auto record = connected_clients.add(client(3));
     EXPECT_FALSE(record->kicked());
-    EXPECT_TRUE(connected_clients.kick(3, "flooding").ok());
+    EXPECT_TRUE(connected_clients.kick(3, "flooding", {}).ok());
     EXPECT_EQ(record->kicked(), "flooding");
     connected_clients.remove(3);
-    EXPECT_EQ(error_of(connected_clients.kick(3, "again")).code, ErrorCode::not_found);
+    EXPECT_EQ(error_of(connected_clients.kick(3, "again", {})).code, ErrorCode::not_found);
 }
 
 }  // namespace

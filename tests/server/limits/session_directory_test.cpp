@@ -33,5 +33,24 @@ TEST(SessionDirectory, limits_clients_per_address) {
     EXPECT_TRUE(sessions.enter("w1", "192.0.2.1").ok());
 }
 
+TEST(SessionDirectory, limits_clients_per_subject_but_not_anonymous_clients) {
+    SessionDirectory sessions(100, 100, 1);
+    const auto first = sessions.enter("w1", "192.0.2.1", "ann");
+    EXPECT_EQ(sessions.enter("w2", "192.0.2.2", "ann").error().message,
+              "the subject of the token already has 1 session, the maximum "
+              "(limits.sessions_per_subject); end another one first");
+    EXPECT_TRUE(sessions.is_at_limit("ann"));
+    EXPECT_TRUE(sessions.enter("w1", "192.0.2.1", "bob").ok());
+    EXPECT_TRUE(sessions.enter("w1", "192.0.2.1").ok() && sessions.enter("w1", "192.0.2.1").ok());
+    sessions.leave(*first);
+    EXPECT_FALSE(sessions.is_at_limit("ann"));
+    sessions.restore_client(77, "w1", "192.0.2.1");
+    sessions.set_subject(77, "ann");
+    sessions.set_subject(77, "ann");
+    EXPECT_FALSE(sessions.enter("w1", "192.0.2.1", "ann").ok());
+    sessions.leave(77);
+    EXPECT_TRUE(sessions.enter("w1", "192.0.2.1", "ann").ok());
+}
+
 }  // namespace
 }  // namespace jostle::server

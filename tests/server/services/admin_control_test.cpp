@@ -58,6 +58,7 @@ protected:
         std::string notice;
     };
 
+    const Identity anyone{.role = Role::admin};
     AdminControl control{context};
 };
 
@@ -67,7 +68,7 @@ TEST_F(AdminControlTest, lists_connected_clients) {
     player.listen();
     v1::ListClientsRequest request;
     v1::ListClientsResponse response;
-    ASSERT_TRUE(control.list_clients(request, response).ok());
+    ASSERT_TRUE(control.list_clients(request, response, anyone).ok());
     ASSERT_EQ(response.clients_size(), 1);
     EXPECT_EQ(response.clients(0).name(), "ann");
     EXPECT_EQ(response.clients(0).world_name(), "arena");
@@ -75,10 +76,10 @@ TEST_F(AdminControlTest, lists_connected_clients) {
     EXPECT_GT(response.clients(0).kbit_per_second(), 0);
     response.Clear();
     request.set_world("other");
-    ASSERT_TRUE(control.list_clients(request, response).ok());
+    ASSERT_TRUE(control.list_clients(request, response, anyone).ok());
     EXPECT_EQ(response.clients_size(), 0);
     request.set_world("nowhere");
-    EXPECT_EQ(error_of(control.list_clients(request, response)).code, ErrorCode::not_found);
+    EXPECT_EQ(error_of(control.list_clients(request, response, anyone)).code, ErrorCode::not_found);
 }
 
 TEST_F(AdminControlTest, kicked_client_receives_the_reason_and_disconnects) {
@@ -87,14 +88,105 @@ TEST_F(AdminControlTest, kicked_client_receives_the_reason_and_disconnects) {
     v1::KickResponse response;
     request.set_client(1);
     request.set_reason(std::string(101, 'x'));
-    EXPECT_EQ(error_of(control.kick(request, response)).code, ErrorCode::invalid_argument);
+    EXPECT_EQ(error_of(control.kick(request, response, anyone)).code, ErrorCode::invalid_argument);
     request.set_reason("please be kind");
-    ASSERT_TRUE(control.kick(request, response).ok());
+    ASSERT_TRUE(control.kick(request, response, anyone).ok());
     player.listen();
     ASSERT_TRUE(player.link.end());
     EXPECT_EQ(player.link.end()->error().code, ErrorCode::permission_denied);
     EXPECT_EQ(player.notice, "an operator removed the client: please be kind");
-    EXPECT_EQ(error_of(control.kick(request, response)).code, ErrorCode::not_found);
+    EXPECT_EQ(error_of(control.kick(request, response, anyone)).code, ErrorCode::not_found);
+}
+
+TEST_F(AdminControlTest, administrator_of_another_world_neither_sees_nor_removes_a_client) {
+    Player player(context);
+    const Identity here{.role = Role::admin, .worlds = {"pit", "arena"}},
+        elsewhere{.role = Role::admin, .worlds = {"other"}};
+    v1::ListClientsResponse listed;
+    ASSERT_TRUE(control.list_clients({}, listed, elsewhere).ok());
+    EXPECT_EQ(listed.clients_size(), 0);
+    ASSERT_TRUE(control.list_clients({}, listed, here).ok());
+    EXPECT_EQ(listed.clients_size(), 1);
+    v1::ListClientsRequest of_world;
+    of_world.set_world("arena");
+    EXPECT_EQ(error_of(control.list_clients(of_world, listed, elsewhere)).code,
+              ErrorCode::permission_denied);
+    v1::KickRequest request;
+    v1::KickResponse response;
+    std::vector<std::string> refusals;
+    for (const std::uint32_t client : {1u, 999u}) {
+        request.set_client(client);
+        const Error error = error_of(control.kick(request, response, elsewhere));
+        EXPECT_EQ(error.code, ErrorCode::permission_denied);
+        refusals.push_back(error.message);
+    }
+    EXPECT_EQ(refusals[0],
+              "there is no client 1 in the worlds of the token; ListClients lists them");
+    EXPECT_EQ(refusals[1],
+              "there is no client 999 in the worlds of the token; ListClients lists them")
+        << "does not reveal which clients exist";
+    player.listen();
+    EXPECT_FALSE(player.link.end());
+    request.set_client(1);
+    EXPECT_TRUE(control.kick(request, response, here).ok());
+    player.listen();
+    EXPECT_TRUE(player.link.end());
+}
+
+TEST_F(AdminControlTest, ban_ends_sessions_and_refuses_new_ones_until_it_is_removed) {
+    Player player(context);
+    v1::BanRequest request;
+    v1::BanResponse response;
+    request.set_network("::ffff:10.0.0.0/104");
+    request.set_reason("spamming");
+    request.set_duration_seconds(3600);
+    ASSERT_TRUE(control.ban(request, response, anyone).ok());
+    EXPECT_EQ(response.ban().network(), "10.0.0.0/8");
+    EXPECT_EQ(response.ban().expires().size(), 24u);
+    EXPECT_FALSE(response.persisted());
+    player.listen();
+    ASSERT_TRUE(player.link.end());
+    EXPECT_EQ(player.link.end()->error().code, ErrorCode::permission_denied);
+    EXPECT_EQ(player.notice,
+              "this network is banned until " + response.ban().expires() + ": spamming");
+    EXPECT_EQ(context.resume_registry.disconnected(), 0u) << "the session cannot be resumed";
+    Player again(context);
+    ASSERT_TRUE(again.link.end());
+    EXPECT_EQ(again.notice, player.notice);
+    v1::ListBansResponse listed;
+    ASSERT_TRUE(control.list_bans({}, listed).ok());
+    ASSERT_EQ(listed.bans_size(), 1);
+    EXPECT_EQ(listed.bans(0).reason(), "spamming");
+    v1::UnbanRequest removal;
+    v1::UnbanResponse removed;
+    removal.set_network("10.0.0.0/8");
+    ASSERT_TRUE(control.unban(removal, removed).ok());
+    EXPECT_EQ(error_of(control.unban(removal, removed)).code, ErrorCode::not_found);
+    Player third(context);
+    EXPECT_FALSE(third.link.end());
+}
+
+TEST_F(AdminControlTest, rejects_invalid_bans) {
+    const Identity boss{.subject = "boss", .role = Role::admin, .anonymous = false};
+    v1::BanResponse response;
+    const auto code = [&](const std::function<void(v1::BanRequest&)>& change) {
+        v1::BanRequest request;
+        request.set_subject("eve");
+        change(request);
+        return error_of(control.ban(request, response, boss)).code;
+    };
+    using R = v1::BanRequest;
+    EXPECT_EQ(code([](R& r) { r.clear_subject(); }), ErrorCode::invalid_argument);
+    EXPECT_EQ(code([](R& r) { r.set_subject("boss"); }), ErrorCode::invalid_argument);
+    EXPECT_EQ(code([](R& r) { r.set_subject("anonymous"); }), ErrorCode::invalid_argument);
+    EXPECT_EQ(code([](R& r) { r.set_network("10.0.0.1/8"); }), ErrorCode::invalid_argument);
+    EXPECT_EQ(code([](R& r) { r.set_reason("a\nb"); }), ErrorCode::invalid_argument);
+    for (const double seconds : {-1.0, 1e9, std::nan("")})
+        EXPECT_EQ(code([&](R& r) { r.set_duration_seconds(seconds); }),
+                  ErrorCode::invalid_argument);
+    v1::ListBansResponse listed;
+    ASSERT_TRUE(control.list_bans({}, listed).ok());
+    EXPECT_EQ(listed.bans_size(), 0);
 }
 
 TEST_F(AdminControlTest, pauses_steps_and_resumes_a_world) {

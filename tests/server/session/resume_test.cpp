@@ -7,9 +7,12 @@
 #include <algorithm>
 #include <array>
 #include <set>
+#include <thread>
 
 #include "tests/server/session/session_harness.h"
 #include "tests/support/small_scene.h"
+#include "tests/support/temp_folder.h"
+#include "tests/support/tokens.h"
 
 namespace jostle::server {
 namespace {
@@ -309,6 +312,254 @@ TEST_F(ResumeTest, ticketed_spectator_resumes_as_spectator) {
     ASSERT_TRUE(watcher.session->end());
     EXPECT_EQ(watcher.session->end()->error().code, ErrorCode::permission_denied);
     EXPECT_EQ(server.context.resume_registry.disconnected(), 1u) << "his place is still kept";
+}
+
+// A client in the world "yard" that joined by a ticket of `who`.
+struct Ticketed {
+    static std::string ticket_of(TestServer& server, const WorldHost& world, const Identity& who) {
+        return server.authorizer->issue_ticket(who, world.id(), "127.0.0.1").value();
+    }
+    static Identity player(std::string subject) {
+        return {.subject = std::move(subject), .role = Role::player, .anonymous = false};
+    }
+};
+
+// The first messages of another connection that shows this resume token and this ticket.
+struct Attempt {
+    Attempt(TestServer& server, const std::string& resume_token, const std::string& ticket)
+        : session(server.context,
+                  {.name = "attempt",
+                   .address = "127.0.0.1",
+                   .call = "jostle.v1.PlayService/Play",
+                   .who = server.authorizer->identify({.address = "127.0.0.1"})},
+                  server.now) {
+        v1::ClientMessage hello;
+        hello.mutable_hello()->set_protocol(1);
+        hello.mutable_hello()->set_resumable(true);
+        hello.mutable_hello()->set_ticket(ticket);
+        hello.mutable_hello()->mutable_resume()->set_token(resume_token);
+        session.receive(hello.SerializeAsString(), server.now);
+    }
+    v1::Welcome welcome(TestServer& server) {
+        const auto message = session.take_message(server.now);
+        v1::ServerMessage parsed;
+        if (message) parsed.ParseFromString(message->header);
+        return parsed.welcome();
+    }
+    std::string refusal() const {
+        return session.end() && !session.end()->ok() ? session.end()->error().message : "";
+    }
+
+    ClientSession session;
+};
+
+TEST_F(ResumeTest, foreign_attempts_never_end_a_running_session) {
+    const std::string ticket = Ticketed::ticket_of(server, *world, Ticketed::player("ann"));
+    Attempt victim(server, "", ticket);
+    const v1::Welcome joined = victim.welcome(server);
+    ASSERT_FALSE(joined.resume_token().empty());
+    std::string forged = joined.resume_token();
+    forged.back() ^= 1;
+    const std::pair<std::string, std::string> foreign[] = {
+        {joined.resume_token(), ""},                    // the session token alone
+        {joined.resume_token(), std::string(32, '0')},  // with a forged ticket
+        {joined.resume_token(),                         // with a ticket of another subject
+         Ticketed::ticket_of(server, *world, Ticketed::player("eve"))},
+        {forged, Ticketed::ticket_of(server, *world, Ticketed::player("eve"))}};
+    const char* expected[] = {
+        "hello.resume.token: the session belongs to an authenticated client; send its token or a "
+        "ticket as well",
+        "the ticket is invalid or no longer valid; get a new one from JoinWorld",
+        "hello.resume.token: the session belongs to another subject", ""};
+    for (int i = 0; i < 4; i++) {
+        Attempt attempt(server, foreign[i].first, foreign[i].second);
+        EXPECT_EQ(attempt.refusal(), expected[i]);
+        if (i == 3) {
+            EXPECT_NE(attempt.welcome(server).client_id(), joined.client_id());
+        }
+        for (int k = 0; k < 5; k++) {
+            world->tick(server.now);
+            while (victim.session.take_message(server.now)) {
+            }
+            server.now += 50ms;
+        }
+        EXPECT_FALSE(victim.session.end()) << "attempt " << i;
+    }
+    // The client itself takes over its session, by the ticket of the session or by a new one.
+    const std::string fresh = Ticketed::ticket_of(server, *world, Ticketed::player("ann"));
+    ClientSession* before = &victim.session;
+    std::vector<std::unique_ptr<Attempt>> own;
+    for (const std::string& shown : {ticket, fresh}) {
+        own.push_back(std::make_unique<Attempt>(server, joined.resume_token(), shown));
+        EXPECT_FALSE(own.back()->session.take_message(server.now)) << "the older one still runs";
+        while (before->take_message(server.now)) {
+        }
+        ASSERT_TRUE(before->end());
+        const v1::Welcome resumed = own.back()->welcome(server);
+        EXPECT_TRUE(resumed.resumed());
+        EXPECT_EQ(resumed.client_id(), joined.client_id());
+        before = &own.back()->session;
+    }
+    Attempt old_ticket(server, joined.resume_token(), ticket);
+    EXPECT_FALSE(old_ticket.refusal().empty()) << "the new ticket replaced it";
+}
+
+TEST_F(ResumeTest, anonymous_session_is_not_resumed_by_an_authenticated_client) {
+    Attempt anonymous(server, "", "");
+    const v1::Welcome joined = anonymous.welcome(server);
+    Attempt eve(server, joined.resume_token(),
+                Ticketed::ticket_of(server, *world, Ticketed::player("eve")));
+    EXPECT_EQ(eve.refusal(), "hello.resume.token: the session belongs to another subject");
+    server.now += 100ms;
+    anonymous.session.take_message(server.now);
+    EXPECT_FALSE(anonymous.session.end());
+}
+
+TEST_F(ResumeTest, session_ends_with_its_token_and_resumes_with_a_new_one) {
+    Identity ann = Ticketed::player("ann");
+    ann.expires = std::chrono::system_clock::now() + 300ms;
+    const std::string ticket = Ticketed::ticket_of(server, *world, ann);
+    Attempt session(server, "", ticket);
+    const v1::Welcome joined = session.welcome(server);
+    std::this_thread::sleep_for(310ms);
+    server.now += 260ms;
+    while (session.session.take_message(server.now)) {
+    }
+    ASSERT_TRUE(session.session.end());
+    EXPECT_EQ(session.session.end()->error().code, ErrorCode::unauthenticated);
+    EXPECT_EQ(session.refusal(), "the token of the session has expired; resume with a new token");
+    EXPECT_EQ(server.context.resume_registry.disconnected(), 1u) << "its bodies wait for it";
+    Attempt with_old(server, joined.resume_token(), ticket);
+    EXPECT_EQ(with_old.refusal(), "the token of the session has expired; resume with a new token");
+    Attempt with_new(server, joined.resume_token(),
+                     Ticketed::ticket_of(server, *world, Ticketed::player("ann")));
+    const v1::Welcome resumed = with_new.welcome(server);
+    EXPECT_TRUE(resumed.resumed());
+    EXPECT_EQ(resumed.client_id(), joined.client_id());
+}
+
+TEST_F(ResumeTest, banned_client_neither_continues_nor_resumes) {
+    const std::string ticket = Ticketed::ticket_of(server, *world, Ticketed::player("ann"));
+    Attempt session(server, "", ticket), other(server, "", "");
+    const v1::Welcome joined = session.welcome(server);
+    session.session.on_peer_closed(server.now);
+    ASSERT_EQ(server.context.resume_registry.disconnected(), 1u);
+    const auto wall = std::chrono::system_clock::now();
+    ASSERT_TRUE(
+        server.authorizer->bans().add({.target = {"ann", {}}, .reason = "spamming"}, wall).ok());
+    EXPECT_EQ(Attempt(server, joined.resume_token(), ticket).refusal(),
+              "the subject of the token is banned: spamming");
+    other.session.take_message(server.now);
+    EXPECT_FALSE(other.session.end());
+    ASSERT_TRUE(server.authorizer->bans().remove({"ann", {}}, wall).ok());
+    Attempt again(server, joined.resume_token(), ticket);
+    EXPECT_TRUE(again.welcome(server).resumed());
+}
+
+TEST_F(ResumeTest, client_of_an_earlier_process_shows_its_ticket_again) {
+    const std::string secret(32, 's'), ticket(32, 'a');
+    server.context.resume_registry.use_secret(secret);
+    const auto wall = std::chrono::floor<std::chrono::seconds>(std::chrono::system_clock::now());
+    const auto sealed = [&](ClientId client, WallTime token_expires) {
+        expect_resume(server.context, world, client, 5, server.now + 30s);
+        return seal_token({.client = client,
+                           .world = world->id(),
+                           .subject = "ann",
+                           .ticket = Tickets::digest(ticket),
+                           .key = {},
+                           .spectator = false,
+                           .expires = wall + 24h,
+                           .token_expires = token_expires},
+                          secret)
+            .value();
+    };
+    const std::string token = sealed(77, wall + 1h), old = sealed(78, wall - 1s);
+    EXPECT_FALSE(Attempt(server, token, "").refusal().empty());
+    EXPECT_FALSE(Attempt(server, token, std::string(32, 'b')).refusal().empty());
+    EXPECT_EQ(Attempt(server, old, ticket).refusal(),
+              "the token of the session has expired; resume with a new token");
+    Attempt attempt(server, token, ticket);
+    const v1::Welcome resumed = attempt.welcome(server);
+    EXPECT_TRUE(resumed.resumed());
+    EXPECT_EQ(resumed.client_id(), 77u);
+}
+
+TEST(SessionLimits, idle_players_are_disconnected_and_spectators_stay) {
+    Config config;
+    config.limits.idle_kick_seconds = 1;
+    TestServer server(config);
+    const auto world = server.host(test::small_scene());
+    SessionHarness idle(server, {.name = "idle", .reconnect = false}),
+        active(server, {.name = "active"}), watcher(server, {.name = "watcher", .spectator = true});
+    for (int half_second = 0; half_second < 6; half_second++) {
+        active.conversation.send(falling_ball(half_second));
+        test::play(server, *world, {&idle, &active, &watcher}, 30);
+        EXPECT_EQ(idle.session->end().has_value(), half_second >= 2) << half_second;
+    }
+    EXPECT_EQ(idle.session->end()->error().code, ErrorCode::deadline_exceeded);
+    EXPECT_FALSE(active.session->end());
+    EXPECT_FALSE(watcher.session->end());
+    EXPECT_EQ(server.sessions.clients(), 2);
+    EXPECT_EQ(server.context.resume_registry.disconnected(), 0u);
+}
+
+TEST(SessionLimits, further_session_of_a_subject_replaces_only_a_suspended_one) {
+    Config config;
+    config.limits.sessions_per_subject = 1;
+    TestServer server(config);
+    const auto world = server.host(test::small_scene());
+    const auto join = [&](const char* subject) {
+        return std::make_unique<Attempt>(
+            server, "", Ticketed::ticket_of(server, *world, Ticketed::player(subject)));
+    };
+    const auto first = join("ann"), second = join("ann"), other = join("bob");
+    const ClientId id = first->welcome(server).client_id();
+    EXPECT_EQ(second->refusal(),
+              "the subject of the token already has 1 session, the maximum "
+              "(limits.sessions_per_subject); end another one first");
+    EXPECT_FALSE(first->session.end());
+    EXPECT_FALSE(other->session.end());
+    first->session.on_peer_closed(server.now);
+    EXPECT_EQ(server.context.resume_registry.disconnected(), 1u);
+    const auto third = join("ann");
+    EXPECT_GT(third->welcome(server).client_id(), id);
+    EXPECT_EQ(server.context.resume_registry.disconnected(), 0u) << "the suspended session left";
+    const Attempt anonymous(server, "", ""), another(server, "", "");
+    EXPECT_FALSE(anonymous.session.end());
+    EXPECT_FALSE(another.session.end()) << "anonymous callers are not counted";
+}
+
+TEST(ResumeWithKeys, session_ends_when_its_key_is_removed) {
+    const test::TempFolder folder;
+    const test::LoginService login, other{.key_id = "second"};
+    Config config;
+    config.auth = {.issuer = test::LoginService::issuer,
+                   .audience = test::LoginService::audience,
+                   .keys = folder.write("keys.json", login.published())};
+    TestServer server(config);
+    const auto world = server.host(test::small_scene());
+    const auto now = std::chrono::system_clock::now();
+    const Identity ann =
+        server.authorizer
+            ->identify({.bearer = login.token(test::LoginService::claims("ann", "player", now)),
+                        .address = "127.0.0.1"})
+            .value();
+    Attempt session(server, "", Ticketed::ticket_of(server, *world, ann));
+    const std::string unused = Ticketed::ticket_of(server, *world, ann);
+    ASSERT_NE(session.welcome(server).client_id(), 0u);
+    server.authorizer->reload();
+    while (session.session.take_message(server.now)) {
+    }
+    EXPECT_FALSE(session.session.end()) << "the key is still there";
+    folder.write("keys.json", other.published());
+    server.authorizer->reload();
+    while (session.session.take_message(server.now)) {
+    }
+    ASSERT_TRUE(session.session.end());
+    EXPECT_EQ(session.refusal(),
+              "the key that signed the token of the session was removed; resume with a new token");
+    EXPECT_EQ(Attempt(server, "", unused).refusal(),
+              "the ticket is invalid or no longer valid; get a new one from JoinWorld");
 }
 
 TEST_F(ResumeTest, releases_grabs_while_disconnected) {

@@ -34,7 +34,7 @@ TEST(SessionEnd, only_timeouts_end_a_session_before_its_hello) {
     const Peer peer;
     const SessionTimeouts timeouts(server.config.stream, server.now);
     const SessionMetrics metrics(server.context);
-    const SessionResume resume(server.context, peer);
+    SessionResume resume(server.context, peer);
     Outbox outbox;
     for (int i = 0; i < 300; i++) outbox.push_reply("pong");
     const auto after = [&](std::chrono::milliseconds time) {

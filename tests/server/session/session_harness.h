@@ -30,7 +30,7 @@ struct TestServer {
 
     server::Config config;
     const std::unique_ptr<server::Authorizer> authorizer = *server::Authorizer::open(config);
-    server::SessionDirectory sessions{20};
+    server::SessionDirectory sessions{20, 1 << 30, config.limits.sessions_per_subject};
     server::WorldDirectory worlds{
         {.limits = {.scene = {.first_step_seconds_max = 100},
                     .lag_compensation_ms_max = config.tick.lag_compensation_ms_max},

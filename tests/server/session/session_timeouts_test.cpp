@@ -38,6 +38,20 @@ TEST_F(SessionTimeoutsTest, each_timeout_starts_with_its_own_event) {
     EXPECT_FALSE(timeouts.read_timeout(start + 60s));
 }
 
+TEST_F(SessionTimeoutsTest, idle_timeout_starts_with_each_new_input) {
+    EXPECT_FALSE(timeouts.idle_timeout(start + 24h)) << "0 disables it";
+    SessionTimeouts idle(settings, start, 60);
+    idle.on_joined(start + 10s);
+    EXPECT_FALSE(idle.idle_timeout(start + 70s));
+    EXPECT_EQ(idle.idle_timeout(start + 70001ms)->message,
+              "the client sent no input for 60 s; join as a spectator to watch");
+    idle.on_input_sequence(3, start + 30s);
+    idle.on_input_sequence(3, start + 50s);  // no new input
+    idle.on_received(start + 80s);
+    EXPECT_FALSE(idle.idle_timeout(start + 90s));
+    EXPECT_TRUE(idle.idle_timeout(start + 90001ms));
+}
+
 TEST_F(SessionTimeoutsTest, datagrams_never_shorten_the_client_timeout) {
     timeouts.on_received(start + 3s);
     timeouts.on_datagram(start + 2s);

@@ -29,8 +29,8 @@ TEST_F(WorldAdmissionTest, anonymous_client_joins_the_named_world) {
         admit_to_world(server.context, peer(), {.world = "second"});
     ASSERT_TRUE(admitted.ok()) << admitted.error().message;
     EXPECT_EQ(admitted->world, second);
-    EXPECT_EQ(admitted->subject, "anonymous");
-    EXPECT_FALSE(admitted->by_ticket);
+    EXPECT_EQ(admitted->who.subject, "anonymous");
+    EXPECT_TRUE(admitted->ticket.empty());
 }
 
 TEST_F(WorldAdmissionTest, unknown_world_is_named_in_the_error) {
@@ -51,8 +51,8 @@ TEST_F(WorldAdmissionTest, ticket_selects_the_world_and_the_subject_once) {
     const Result<AdmittedClient> admitted = admit_to_world(server.context, peer(), hello);
     ASSERT_TRUE(admitted.ok()) << admitted.error().message;
     EXPECT_EQ(admitted->world, second);
-    EXPECT_EQ(admitted->subject, "ann");
-    EXPECT_TRUE(admitted->by_ticket);
+    EXPECT_EQ(admitted->who.subject, "ann");
+    EXPECT_EQ(admitted->ticket, Tickets::digest(ticket));
     EXPECT_EQ(admit_to_world(server.context, peer(), hello).error().code,
               ErrorCode::unauthenticated);
 }

@@ -25,6 +25,15 @@ TEST(Text, escapes_invalid_utf8_only) {
     EXPECT_EQ(printable("C:\\temp", 200), "C:\\\\temp");
 }
 
+TEST(Text, finds_control_characters) {
+    for (const char* text : {"", "anna", "Jürgen", "你好", "C:\\temp", "a b"})
+        EXPECT_FALSE(has_control_character(text)) << text;
+    for (const char* text :
+         {"a\n", "\x7f", "\x1b[2J", "a\u0085", "a\u2028", "\u202eb", "\u2066", "\ufeffa", "\xff"})
+        EXPECT_TRUE(has_control_character(text)) << printable(text, 200);
+    EXPECT_TRUE(has_control_character(std::string_view("\0", 1)));
+}
+
 TEST(Text, truncates_at_character_boundaries) {
     EXPECT_EQ(clip_utf8("grün", 3), "gr") << "3 bytes would end within a character";
     EXPECT_EQ(clip_utf8("grün", 4), "grü");

@@ -100,6 +100,54 @@ TEST_F(CtlTest, lists_and_kicks_clients) {
     EXPECT_TRUE(complains("there is no client 999")) << err;
 }
 
+TEST_F(CtlTest, bans_lists_and_unbans) {
+    ASSERT_EQ(run("bans"), 0) << err;
+    EXPECT_EQ(out, "There are no bans.\nThe server has no database: bans end when it stops.\n");
+    const auto player = grpc_player(server.grpc_address());
+    player->hello();
+    player->send_inputs({});
+    ASSERT_EQ(run("ban --network 127.0.0.0/8 --hours 2 --reason 'be kind'"), 0) << err;
+    EXPECT_TRUE(says("127.0.0.0/8 is banned until ")) << out;
+    EXPECT_TRUE(says("the ban ends when the server stops")) << out;
+    ASSERT_TRUE(player->wait_for_end());
+    EXPECT_TRUE(player->end()->starts_with("7: this network is banned until ")) << *player->end();
+    EXPECT_TRUE(player->end()->ends_with(": be kind")) << *player->end();
+    EXPECT_EQ(run("worlds"), 1);
+    EXPECT_TRUE(complains("this network is banned")) << err;
+    ASSERT_EQ(run("ban --subject eve --json"), 0) << "administrators can still call AdminService";
+    EXPECT_EQ(json()["ban"]["subject"], "eve");
+    EXPECT_EQ(json()["persisted"], false);
+    ASSERT_EQ(run("bans"), 0) << err;
+    EXPECT_TRUE(says("SUBJECT  NETWORK")) << out;
+    ASSERT_EQ(run("--json bans"), 0);
+    ASSERT_EQ(json()["bans"].size(), 2u);
+    EXPECT_EQ(json()["bans"][1]["reason"], "be kind");
+    ASSERT_EQ(run("unban --network 127.0.0.0/8"), 0) << err;
+    EXPECT_TRUE(says("127.0.0.0/8 is no longer banned")) << out;
+    EXPECT_EQ(run("unban --network 127.0.0.0/8"), 1);
+    EXPECT_EQ(run("worlds"), 0) << err;
+    EXPECT_EQ(run("ban --network 127.0.0.1/8"), 1);
+    EXPECT_TRUE(complains("the network is 127.0.0.0/8")) << err;
+    EXPECT_EQ(run("ban"), 2);
+    EXPECT_EQ(run("ban --subject eve --network 10.0.0.0/8"), 2);
+    EXPECT_EQ(run("ban --subject eve --hours -1"), 2);
+}
+
+TEST_F(CtlTest, bans_survive_a_restart_with_a_database) {
+    const std::vector<std::string> flags = {
+        "--scene", "stack",       "--listen", "127.0.0.1:0",
+        "--http",  "127.0.0.1:0", "--set",    "persistence.database=" + file("worlds.db")};
+    {
+        ServerProcess first{flags};
+        ASSERT_EQ(run("ban --subject eve", first.grpc_address()), 0) << err;
+        EXPECT_EQ(out, "eve is banned\n");
+    }
+    const ServerProcess second{flags};
+    ASSERT_EQ(run("--json bans", second.grpc_address()), 0) << err;
+    EXPECT_EQ(json()["bans"][0]["subject"], "eve");
+    EXPECT_EQ(json()["persisted"], true);
+}
+
 TEST_F(CtlTest, pauses_lists_and_resumes_a_world) {
     EXPECT_EQ(run("step stack"), 1);
     EXPECT_TRUE(complains("pause it first")) << err;

@@ -203,7 +203,8 @@ export const HelloSchema: GenMessage<Hello> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 1);
 
 /**
- * Identifies a session whose stream broke.
+ * Identifies a session whose stream broke. It is not a credential: a client that joined with a token or a ticket must
+ * send its token, its ticket or a new ticket of the same subject again.
  *
  * @generated from message jostle.v1.Resume
  */
@@ -2074,7 +2075,7 @@ export const PlayService: GenService<{
    *                        in a stream without one
    *   INVALID_ARGUMENT     a malformed message, or a value of Hello, Interest or InputBatch out of range
    *   NOT_FOUND            no such world
-   *   UNAUTHENTICATED, PERMISSION_DENIED  the token or ticket is invalid, or its role does not allow this
+   *   UNAUTHENTICATED, PERMISSION_DENIED  the token or ticket is invalid or expired, or its role does not allow this
    *   RESOURCE_EXHAUSTED   a message that is too large, or a limit of the server on messages or streams
    *   UNAVAILABLE          the server shuts down or the world closes
    *

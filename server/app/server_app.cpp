@@ -266,7 +266,10 @@ void ServerApp::Impl::announce() {
 void ServerApp::Impl::run() {
     const MaintenanceThread maintenance(
         *authorizer_, certificates_.get(),
-        [this] { remove_expired_clients(*context_, Clock::now()); },
+        [this] {
+            remove_expired_clients(*context_, Clock::now());
+            admin_control_->remove_idle_backup(Clock::now());
+        },
         [this] { return !failure_reason(); });
     end_start_guard();
     notify_ready(fmt::format("gRPC on {}:{}, {} worlds", parse_host_port(config_.listen)->host,

@@ -28,6 +28,7 @@ constexpr AccessRow table[] = {
     {"jostle.v1.QueryService/Debug", query, Role::viewer, any_world},
     {"jostle.v1.AdminService/ListClients", admin, Role::admin, token_worlds},
     {"jostle.v1.AdminService/Kick", admin, Role::admin, token_worlds},
+    {"jostle.v1.AdminService/Backup", admin, Role::admin, server},
     {"jostle.v1.AdminService/Ban", admin, Role::admin, server},
     {"jostle.v1.AdminService/Unban", admin, Role::admin, server},
     {"jostle.v1.AdminService/ListBans", admin, Role::admin, server},

@@ -82,6 +82,16 @@ std::vector<CallMethod> admin_methods(AdminControl& control, const WorldDirector
     return {
         server_call(control, "ListClients", Audit::no, &AdminControl::list_clients),
         server_call(control, "Kick", Audit::yes, &AdminControl::kick),
+        unary_method<v1::BackupRequest, v1::BackupResponse>(
+            path_of("Backup"), CallWork::blocking, admin_request_bytes_max,
+            [&control](const CallContext& context, const v1::BackupRequest& request,
+                       v1::BackupResponse& response) {
+                Status done = control.backup(request, response);
+                // Once for each backup.
+                if (request.id().empty())
+                    context.authorizer.record(context.who, context.access_request({}), done);
+                return done;
+            }),
         server_call(control, "Ban", Audit::yes, &AdminControl::ban),
         server_call(control, "Unban", Audit::yes, &AdminControl::unban),
         server_call(control, "ListBans", Audit::no, &AdminControl::list_bans),

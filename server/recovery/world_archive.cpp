@@ -4,7 +4,9 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cerrno>
 #include <charconv>
+#include <cstring>
 #include <ctime>
 #include <filesystem>
 #include <map>
@@ -14,6 +16,7 @@
 #include "server/recovery/checkpoint_data.h"
 #include "server/recovery/journal_codec.h"
 #include "server/recovery/world_storage_copy.h"
+#include "server/storage/backup.h"
 #include "server/storage/compression.h"
 #include "server/storage/journal_chain.h"
 #include "server/util/bytes.h"
@@ -94,7 +97,8 @@ std::uint32_t number_of(const std::string& id) {
 
 WorldArchive::WorldArchive(const PersistenceSettings& settings, const HostLimits& limits,
                            int threads, std::function<void()> on_results_sent)
-    : limits_(limits),
+    : path_(settings.database),
+      limits_(limits),
       threads_(threads),
       accepts_damage_(settings.accept_damage),
       journal_settings_{.checkpoint_interval_seconds = settings.checkpoint_interval_seconds,
@@ -451,6 +455,52 @@ WorldStart WorldArchive::start_of(StoppedWorld last) {
                                                .chain = last.found.chain,
                                                .checkpoints = std::move(last.checkpoints)});
     return start;
+}
+
+// The writer copies some pages at a time and writes changes in between.
+Result<TemporaryFile> WorldArchive::back_up() {
+    constexpr int pages_per_step = 256;  // 1 MiB
+    const std::string path = path_ + ".backup-" + std::to_string(::getpid());
+    std::unique_ptr<OnlineBackup> backup;
+    Status done;
+    const auto on_writer = [&](auto&& function) {
+        const auto call = [&](WorldStorage& storage) { done = function(storage); };
+        if (!writer_->run_on_writer(call, timeout)) done = slow();
+        return done.ok();
+    };
+    // SQLite objects are used and destroyed on the writer's thread.
+    const auto fail = [&] {
+        const Status why = done;
+        on_writer([&](WorldStorage&) {
+            backup.reset();
+            return Status();
+        });
+        return why.error();
+    };
+    ::unlink(path.c_str());
+    const auto begin = [&](WorldStorage& storage) -> Status {
+        auto begun = static_cast<SqliteStorage&>(storage).begin_backup(path);
+        if (!begun.ok()) return begun.error();
+        backup = *std::move(begun);
+        return {};
+    };
+    if (!on_writer(begin)) return done.error();
+    for (bool is_complete = false; !is_complete;)
+        if (!on_writer([&](WorldStorage&) -> Status {
+                const Result<bool> copied = backup->step(pages_per_step);
+                if (!copied.ok()) return copied.error();
+                is_complete = *copied;
+                return is_complete ? backup->finish() : Status();
+            }))
+            return fail();
+    TemporaryFile file(std::fopen(path.c_str(), "rb"));
+    ::unlink(path.c_str());
+    on_writer([&](WorldStorage&) {
+        backup.reset();
+        return Status();
+    });
+    if (!file) return Error{ErrorCode::unavailable, path + ": " + std::strerror(errno)};
+    return file;
 }
 
 Result<WorldStart> WorldArchive::reload(const std::string& id) {

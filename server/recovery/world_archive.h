@@ -72,6 +72,7 @@ public:
     Result<HostedWorld> world_at(const std::string& id, std::uint32_t tick) override;
     Result<WorldStart> reload(const std::string& id) override;
     Result<WorldStart> rewind(const std::string& id, std::uint32_t tick, HostedWorld past) override;
+    Result<TemporaryFile> back_up() override;
     // Any thread: a copy of the persisted world up to `last_tick`.
     Result<std::unique_ptr<WorldStorage>> copy_of(const std::string& id, std::uint32_t last_tick);
 
@@ -101,6 +102,7 @@ private:
     std::shared_ptr<WorldJournal> make_journal(const WorldStart& start,
                                                const JournalPosition& position);
 
+    const std::string path_;  // of the database
     const HostLimits limits_;
     const int threads_;
     const bool accepts_damage_;

@@ -255,6 +255,28 @@ Status AdminControl::write_export(ExportedScene exported, v1::ExportWorldRespons
     return {};
 }
 
+Status AdminControl::backup(const v1::BackupRequest& request, v1::BackupResponse& response) {
+    const Clock::time_point now = Clock::now();
+    Result<BackupDownload::Piece> piece = Error{};
+    if (request.id().empty()) {
+        WorldPersistence* const persistence = context_.worlds.persistence();
+        if (persistence == nullptr)
+            return Error{ErrorCode::failed_precondition,
+                         "the server persists no worlds; set persistence.database"};
+        const WaitSlot slot(waiting_);
+        if (Status s = slot.admitted(); !s.ok()) return s;
+        piece = backup_download_.begin(*persistence, now);
+        if (piece.ok()) log_info("an operator makes a backup of {} bytes", piece->bytes);
+    } else {
+        piece = backup_download_.read(request.id(), request.offset(), now);
+    }
+    if (!piece.ok()) return piece.error();
+    response.set_id(piece->id);
+    response.set_bytes(piece->bytes);
+    response.set_data(std::move(piece->data));
+    return {};
+}
+
 Status AdminControl::drain(const v1::DrainRequest&, v1::DrainResponse& response) {
     response.set_clients(static_cast<std::uint32_t>(context_.sessions.clients()));
     response.set_timeout_seconds(context_.config.drain_timeout_seconds);

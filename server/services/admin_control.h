@@ -9,9 +9,12 @@
 #include <atomic>
 
 #include "jostle/base/result.h"
+#include "server/services/backup_download.h"
 #include "server/session/play_context.h"
 
 namespace jostle::v1 {
+class BackupRequest;
+class BackupResponse;
 class BanRequest;
 class BanResponse;
 class DrainRequest;
@@ -66,6 +69,9 @@ public:
     Status step_world(const v1::StepWorldRequest& request, v1::StepWorldResponse& response);
     Status export_world(const v1::ExportWorldRequest& request, v1::ExportWorldResponse& response);
     Status rewind_world(const v1::RewindWorldRequest& request, v1::RewindWorldResponse& response);
+    Status backup(const v1::BackupRequest& request, v1::BackupResponse& response);
+    // Call it every some seconds.
+    void remove_idle_backup(Clock::time_point now) { backup_download_.remove_idle(now); }
     Status drain(const v1::DrainRequest& request, v1::DrainResponse& response);
     Status profile(const v1::ProfileRequest& request, v1::ProfileResponse& response);
 
@@ -73,6 +79,7 @@ private:
     static Status write_export(ExportedScene exported, v1::ExportWorldResponse& response);
     PlayContext& context_;
     std::atomic<int> waiting_{0};
+    BackupDownload backup_download_;
 };
 
 }  // namespace jostle::server

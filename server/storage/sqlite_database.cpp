@@ -45,9 +45,10 @@ Error error_of(sqlite3* handle) {
 
 // SQLite would create the file with the permissions of the umask. It also treats a file shorter
 // than the smallest page as empty and overwrites it.
-Status create_file(const std::string& path, bool create) {
+Status create_file(const std::string& path, bool create, bool is_read_only) {
     constexpr off_t smallest_page = 512;
-    const int file = ::open(path.c_str(), O_RDWR | O_CLOEXEC | (create ? O_CREAT : 0), 0600);
+    const int access = is_read_only ? O_RDONLY : O_RDWR;
+    const int file = ::open(path.c_str(), access | O_CLOEXEC | (create ? O_CREAT : 0), 0600);
     if (file < 0)
         return Error{errno == ENOENT && !create ? ErrorCode::not_found : ErrorCode::unavailable,
                      std::strerror(errno)};
@@ -115,10 +116,11 @@ std::uint64_t SqliteStatement::number(int column) const {
 }
 
 Result<SqliteDatabase> SqliteDatabase::open(const std::string& path, const char* file_system,
-                                            bool create) {
-    if (Status made = create_file(path, create); !made.ok()) return made.error();
+                                            bool create, bool is_read_only) {
+    if (Status made = create_file(path, create, is_read_only); !made.ok()) return made.error();
     sqlite3* handle = nullptr;
-    const int flags = SQLITE_OPEN_READWRITE | SQLITE_OPEN_EXRESCODE | SQLITE_OPEN_NOFOLLOW;
+    const int flags = (is_read_only ? SQLITE_OPEN_READONLY : SQLITE_OPEN_READWRITE) |
+                      SQLITE_OPEN_EXRESCODE | SQLITE_OPEN_NOFOLLOW;
     const int code = sqlite3_open_v2(path.c_str(), &handle, flags, file_system);
     SqliteDatabase database(handle);
     if (code == SQLITE_OK) return database;
@@ -139,6 +141,10 @@ Result<SqliteStatement> SqliteDatabase::prepare(std::string_view statement) {
                            SQLITE_PREPARE_PERSISTENT, &prepared, nullptr) != SQLITE_OK)
         return error_of(handle_.get());
     return SqliteStatement(prepared);
+}
+
+void SqliteDatabase::empty_log_on_close(bool is_on) {
+    sqlite3_db_config(handle_.get(), SQLITE_DBCONFIG_NO_CKPT_ON_CLOSE, is_on ? 0 : 1, nullptr);
 }
 
 void SqliteDatabase::empty_log() {

@@ -39,13 +39,17 @@ class SqliteDatabase {
 public:
     // `create`: create the file if it does not exist.
     static Result<SqliteDatabase> open(const std::string& path, const char* file_system,
-                                       bool create);
+                                       bool create, bool is_read_only = false);
 
     Status execute(const char* statements);
     Result<SqliteStatement> prepare(std::string_view statement);
     Result<std::uint64_t> number(const char* statement);
+    // Whether closing the database copies its write-ahead log into it and deletes the log. True
+    // when the database is opened.
+    void empty_log_on_close(bool is_on);
     // Copies the write-ahead log into the database and empties it, if possible now.
     void empty_log();
+    sqlite3* handle() { return handle_.get(); }
     // Whether a transaction is open. Some errors end a transaction.
     bool in_transaction() const { return sqlite3_get_autocommit(handle_.get()) == 0; }
 

@@ -159,10 +159,12 @@ Result<DatabaseHead> read_head(SqliteDatabase& database) {
     return head;
 }
 
-Status open_schema(SqliteDatabase& database, bool is_durable, HeadFile& head,
+Status open_schema(SqliteDatabase& database, OpenMode mode, HeadFile& head,
                    const HeadFile::Content& content) {
-    if (Status s = database.execute("PRAGMA locking_mode = EXCLUSIVE;"
-                                    "PRAGMA trusted_schema = OFF;"
+    const bool is_reading = mode == OpenMode::only_reading;
+    if (Status s = database.execute(is_reading ? "" : "PRAGMA locking_mode = EXCLUSIVE"); !s.ok())
+        return s;
+    if (Status s = database.execute("PRAGMA trusted_schema = OFF;"
                                     "PRAGMA cell_size_check = ON;"
                                     "PRAGMA foreign_keys = ON;");
         !s.ok())
@@ -194,8 +196,14 @@ Status open_schema(SqliteDatabase& database, bool is_durable, HeadFile& head,
                          ", but " + head.path() + " says that it was in use" +
                          (content.head ? " until " + utc_text(content.head->written) : "") +
                          "; restore a backup, or delete that file to begin anew"};
+    if (is_reading && !has_head)
+        return Error{ErrorCode::corrupt_data,
+                     is_new ? "it is empty"
+                            : "it was written by an older version of Jostle; a server that opens it "
+                              "updates it"};
+    if (is_reading) return check_structure(database);
     if (Status s = database.execute(
-            is_durable ? "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL;"
+            mode == OpenMode::durable ? "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL;"
                        : "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;");
         !s.ok())
         return s;

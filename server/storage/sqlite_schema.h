@@ -37,7 +37,12 @@ Result<DatabaseHead> read_head(SqliteDatabase& database);
 // has an intact structure. Creates the tables of a new file, and those that an older version does
 // not have; the head file is written first. `head` contains the head file.
 // corrupt_data: also if the head file says that a file without tables was in use.
-Status open_schema(SqliteDatabase& database, bool is_durable, HeadFile& head,
+enum class OpenMode {
+    durable,       // commits survive a power failure
+    fast,          // commits survive a crash of the process
+    only_reading,  // of a database with tables, which is not acquired
+};
+Status open_schema(SqliteDatabase& database, OpenMode mode, HeadFile& head,
                    const HeadFile::Content& content);
 
 }  // namespace jostle::server

@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "jostle/base/check.h"
+#include "server/storage/backup.h"
 #include "server/storage/journal_chain.h"
 #include "server/storage/sqlite_database.h"
 #include "server/storage/sqlite_schema.h"
@@ -50,8 +51,31 @@ Error damaged(const std::string& where) {
     return {ErrorCode::corrupt_data,
             where + " changed after it was written; the disk or the file is corrupt"};
 }
+std::string name_of_checkpoint(const std::string& world, std::uint32_t tick) {
+    return "the checkpoint of tick " + std::to_string(tick) + " of world \"" + world + "\"";
+}
 std::string name_of(const std::string& world, const JournalEntry& e) {
     return "entry " + std::to_string(e.sequence) + " of the journal of world \"" + world + "\"";
+}
+
+// Of a row with the columns sequence, epoch, first_tick, last_tick, chain and data.
+JournalEntry entry_of(const SqliteStatement& row) {
+    JournalEntry e{.sequence = row.number(0),
+                   .epoch = row.number(1),
+                   .first_tick = static_cast<std::uint32_t>(row.number(2)),
+                   .last_tick = static_cast<std::uint32_t>(row.number(3)),
+                   .data = std::string(row.bytes(5))};
+    if (row.bytes(4).size() == sizeof(Chain))
+        std::copy_n(row.bytes(4).begin(), sizeof(Chain), e.chain.begin());
+    return e;
+}
+// Of a row with the columns tick, hash, sequence, exact and portable.
+Checkpoint checkpoint_of(const SqliteStatement& row) {
+    return {.tick = static_cast<std::uint32_t>(row.number(0)),
+            .hash = row.number(1),
+            .sequence = row.number(2),
+            .exact = std::string(row.bytes(3)),
+            .portable = std::string(row.bytes(4))};
 }
 
 }  // namespace
@@ -219,6 +243,7 @@ public:
     // ---- the head ----
 
     const StoreHead& head() const { return head_.store; }
+    bool is_backup() const { return head_.is_backup; }
     void set_head(DatabaseHead head) { head_ = std::move(head); }
 
     // Call before the first change of a transaction.
@@ -256,6 +281,7 @@ public:
                 head_.worlds[world] = total;
         head_.store.total = changed_total_;
         head_.store.commits++;
+        head_.is_backup = false;
         head_.store.written = now();
     }
 
@@ -352,15 +378,22 @@ Result<std::unique_ptr<SqliteStorage>> SqliteStorage::open(const std::string& pa
                       "it is missing, but " + head->path() + " says that it was in use until " +
                           utc_text(content->head->written) +
                           "; restore a backup, or delete that file to begin anew"});
-    Result<SqliteDatabase> opened = SqliteDatabase::open(path, options.file_system, options.create);
+    Result<SqliteDatabase> opened =
+        SqliteDatabase::open(path, options.file_system, options.create, options.is_read_only);
     if (!opened.ok()) return named(path, opened.error());
-    if (Status s = open_schema(*opened, is_durable, *head, *content); !s.ok())
+    // The log of a damaged database may contain what is missing.
+    opened->empty_log_on_close(false);
+    const OpenMode mode = options.is_read_only ? OpenMode::only_reading
+                          : is_durable         ? OpenMode::durable
+                                               : OpenMode::fast;
+    if (Status s = open_schema(*opened, mode, *head, *content); !s.ok())
         return named(path, s.error());
     auto database = std::make_unique<Database>(*std::move(opened));
     if (Status s = database->prepare(); !s.ok()) return named(path, s.error());
     std::unique_ptr<SqliteStorage> storage(
         new SqliteStorage(path, std::move(database), std::move(head)));
     if (Status s = storage->find_damage(); !s.ok()) return named(path, s.error());
+    (*storage->database_)->empty_log_on_close(storage->damage_.is_none());
     return storage;
 }
 
@@ -391,6 +424,59 @@ Status SqliteStorage::find_damage() {
     return {};
 }
 
+Status SqliteStorage::check_rows(std::vector<std::string>& errors) {
+    Database& database = *database_;
+    const auto read = [&](const char* query, const auto& name_if_damaged) -> Status {
+        Result<SqliteStatement> rows = database->prepare(query);
+        if (!rows.ok()) return rows.error();
+        for (;;) {
+            const Result<bool> row = rows->step();
+            if (!row.ok()) return row.error();
+            if (!*row) return {};
+            if (const std::string name = name_if_damaged(*rows); !name.empty())
+                errors.push_back(damaged(name).message);
+        }
+    };
+    Status done = read(
+        "SELECT sequence, epoch, first_tick, last_tick, chain, data, digest, world FROM journal",
+        [](const SqliteStatement& row) -> std::string {
+            const std::string world(row.bytes(7));
+            const JournalEntry entry = entry_of(row);
+            return row.bytes(6) == view_of(digest_of_row(world, entry)) ? "" : name_of(world, entry);
+        });
+    if (!done.ok()) return done;
+    done = read("SELECT tick, hash, sequence, exact, portable, digest, world FROM checkpoint",
+                [](const SqliteStatement& row) -> std::string {
+                    const std::string world(row.bytes(6));
+                    const Checkpoint found = checkpoint_of(row);
+                    const bool is_intact = row.bytes(5) == view_of(digest_of_row(world, found));
+                    return is_intact ? "" : name_of_checkpoint(world, found.tick);
+                });
+    if (!done.ok()) return done;
+    return read("SELECT name, value, digest FROM note", [](const SqliteStatement& row) {
+        const PutNote note{std::string(row.bytes(0)), std::string(row.bytes(1))};
+        const bool is_intact = row.bytes(2) == view_of(digest_of_row(note));
+        return is_intact ? std::string() : "the note \"" + note.name + "\"";
+    });
+}
+
+StoreReport SqliteStorage::report() {
+    const StoreHead& head = database_->head();
+    return {.worlds = {},
+            .commits = head.commits,
+            .written = head.written,
+            .bytes = bytes_on_disk(),
+            .is_backup = database_->is_backup(),
+            .errors = {}};
+}
+
+Result<std::unique_ptr<OnlineBackup>> SqliteStorage::begin_backup(const std::string& path) {
+    if (!damage_.is_none())
+        return Error{ErrorCode::failed_precondition,
+                     "the database is damaged, and so would be the backup; copy its files instead"};
+    return OnlineBackup::begin(**database_, path);
+}
+
 Status SqliteStorage::accept_damage() {
     Database& database = *database_;
     const Result<RowTotals> rows = sum_rows(*database);
@@ -412,6 +498,7 @@ Status SqliteStorage::accept_damage() {
         return done;
     }
     database.keep_totals();
+    database->empty_log_on_close(true);
     damage_ = {};
     return head_file_->write(database.head());
 }
@@ -494,18 +581,13 @@ Result<std::vector<std::uint32_t>> SqliteStorage::checkpoint_ticks(const std::st
 }
 
 Result<Checkpoint> SqliteStorage::checkpoint(const std::string& world, std::uint32_t tick) {
-    const std::string where =
-        "the checkpoint of tick " + std::to_string(tick) + " of world \"" + world + "\"";
+    const std::string where = name_of_checkpoint(world, tick);
     SqliteStatement& read =
         database_->of(Database::read_checkpoint).bind(1, world).bind(2, std::uint64_t{tick});
     const Result<bool> row = read.step();
     if (!row.ok()) return row.error();
     if (!*row) return Error{ErrorCode::not_found, where + " does not exist"};
-    Checkpoint found{.tick = static_cast<std::uint32_t>(read.number(0)),
-                     .hash = read.number(1),
-                     .sequence = read.number(2),
-                     .exact = std::string(read.bytes(3)),
-                     .portable = std::string(read.bytes(4))};
+    Checkpoint found = checkpoint_of(read);
     const bool intact = read.bytes(5) == view_of(digest_of_row(world, found));
     read.reset();
     if (!intact) return damaged(where);
@@ -537,13 +619,7 @@ Result<std::vector<JournalEntry>> SqliteStorage::entries(const std::string& worl
         const Result<bool> row = list.step();
         if (!row.ok()) return row.error();
         if (!*row) return found;
-        JournalEntry e{.sequence = list.number(0),
-                       .epoch = list.number(1),
-                       .first_tick = static_cast<std::uint32_t>(list.number(2)),
-                       .last_tick = static_cast<std::uint32_t>(list.number(3)),
-                       .data = std::string(list.bytes(5))};
-        if (list.bytes(4).size() == sizeof(Chain))
-            std::copy_n(list.bytes(4).begin(), sizeof(Chain), e.chain.begin());
+        JournalEntry e = entry_of(list);
         bytes += e.data.size();
         if (!found.empty() && bytes > bytes_max) {
             list.reset();

@@ -24,6 +24,7 @@ enum class Durability {
 struct SqliteStorageOptions {
     Durability durability = Durability::machine;
     bool create = true;  // create the file, mode 0600, if it does not exist
+    bool is_read_only = false;  // changes no file; not for a database that a server uses
     // SQLite VFS name; null: the default. For tests of failing disks.
     const char* file_system = nullptr;
 };
@@ -37,6 +38,8 @@ struct StorageDamage {
 };
 
 class HeadFile;
+class OnlineBackup;
+struct StoreReport;
 
 class SqliteStorage : public WorldStorage {
 public:
@@ -61,6 +64,12 @@ public:
     Result<std::vector<JournalEntry>> entries(const std::string& world, std::uint64_t after,
                                               std::size_t bytes_max) override;
     Result<std::optional<std::string>> note(const std::string& name) override;
+    // Compares each row with its own digest and appends the differences, one sentence each.
+    Status check_rows(std::vector<std::string>& errors);
+    // Without its worlds and errors.
+    StoreReport report();
+    // Begins a copy to a file that does not exist yet.
+    Result<std::unique_ptr<OnlineBackup>> begin_backup(const std::string& path);
     Status check_files() override;
     std::uint64_t bytes_on_disk() override;
 

@@ -30,6 +30,8 @@ public:
                                               const std::string& owner = {});
     // An empty key finds the oldest world. Null: not found.
     std::shared_ptr<WorldHost> find(const std::string& id_or_name) const;
+    // Null: worlds end with the process.
+    WorldPersistence* persistence() const { return settings_.world_persistence; }
     // Creates a world that starts from the state of another world after `tick`, without clients.
     // Replays the ticks since the previous checkpoint on the calling thread. Errors: those of
     // create() and scene_at().

@@ -5,11 +5,13 @@
 #pragma once
 
 #include <cstdint>
+#include <cstdio>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "server/util/free_with.h"
 #include "server/world/checkpoint_copier.h"
 #include "server/world/command.h"
 #include "server/world/command_mailbox.h"
@@ -57,6 +59,9 @@ public:
 class HostedWorld;
 struct WorldStart;
 
+// A file without a name: it is deleted when it is closed.
+using TemporaryFile = std::unique_ptr<std::FILE, FreeWith<std::fclose>>;
+
 // The database of all worlds of a process. Any thread; these functions may block.
 class WorldPersistence {
 public:
@@ -75,6 +80,8 @@ public:
     // numbers, entity ids and input sequences continue, and the history in between is retained.
     virtual Result<WorldStart> rewind(const std::string& id, std::uint32_t tick,
                                       HostedWorld past) = 0;
+    // A backup of all worlds as of now (server/storage/backup.h); the worlds continue meanwhile.
+    virtual Result<TemporaryFile> back_up() = 0;
 };
 
 }  // namespace jostle::server

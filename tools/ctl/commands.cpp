@@ -2,7 +2,17 @@
 #include "tools/ctl/commands.h"
 
 #include <google/protobuf/util/json_util.h>
+#include <sys/stat.h>
+#include <unistd.h>
 
+#include <cerrno>
+#include <cstdio>
+#include <cstring>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "server/storage/backup.h"
+#include "server/storage/store_head.h"
 #include "tools/common/table.h"
 #include "tools/ctl/report.h"
 
@@ -67,6 +77,35 @@ void set_target(Request& request, const CommandArguments& arguments) {
         request.set_subject(arguments.subject);
     else
         request.set_network(arguments.network);
+}
+
+std::string megabytes(std::uint64_t bytes) {
+    return number_text(static_cast<double>(bytes) / 1e6, 1);
+}
+
+std::string report_text(const server::StoreReport& report) {
+    std::string text = (report.is_backup ? "backup, " : "database, ") + megabytes(report.bytes) +
+                       " MB, commit " + std::to_string(report.commits) + " of " +
+                       server::utc_text(report.written) + "\n";
+    for (const server::StoreReport::World& world : report.worlds)
+        text += "  " + sanitized(world.id) + " \"" + sanitized(world.name) + "\": up to tick " +
+                std::to_string(world.last_tick) + ", " + std::to_string(world.checkpoints) +
+                " checkpoints, " + std::to_string(world.entries) + " journal entries\n";
+    for (const std::string& error : report.errors) text += "  damage: " + sanitized(error, 300) + "\n";
+    return text;
+}
+
+std::string report_json(const server::StoreReport& report) {
+    nlohmann::json json = {{"isBackup", report.is_backup},  {"bytes", report.bytes},
+                           {"commits", report.commits},     {"written", report.written},
+                           {"worlds", nlohmann::json::array()}, {"errors", report.errors}};
+    for (const server::StoreReport::World& world : report.worlds)
+        json["worlds"].push_back({{"id", world.id},
+                                  {"name", world.name},
+                                  {"lastTick", world.last_tick},
+                                  {"checkpoints", world.checkpoints},
+                                  {"entries", world.entries}});
+    return json.dump(2) + "\n";
 }
 
 Outcome set_paused(Connection& server, const CommandArguments& arguments, bool paused) {
@@ -212,6 +251,75 @@ Outcome rewind(Connection& server, const CommandArguments& arguments) {
                       sanitized(arguments.world) + " was restored to its state after tick " +
                           std::to_string(arguments.tick) + "; ticks continue from " +
                           (response.ok() ? std::to_string(response->tick()) : ""));
+}
+
+Outcome backup(Connection& server, const CommandArguments& arguments) {
+    const std::string part = arguments.file + ".part";
+    std::ofstream file(part, std::ios::binary | std::ios::trunc);
+    const auto failed = [&](const Outcome& outcome) {
+        std::remove(part.c_str());
+        return outcome;
+    };
+    const auto cannot_write = [&] {
+        return usage_error({ErrorCode::unavailable,
+                            "cannot write " + part + ": " + std::strerror(errno)});
+    };
+    if (!file || ::chmod(part.c_str(), 0600) != 0) return cannot_write();
+    const bool has_terminal = ::isatty(STDERR_FILENO) != 0;
+    v1::BackupRequest request;
+    for (;;) {
+        // The first call makes the backup.
+        const auto timeout = request.id().empty() ? std::chrono::seconds(600)
+                                                  : Connection::default_timeout;
+        const auto response = server.call(&Admin::Backup, request, timeout);
+        if (!response.ok()) return failed(server_error(response.error()));
+        if (response->data().empty()) break;
+        request.set_id(response->id());
+        request.set_offset(request.offset() + response->data().size());
+        file << response->data();
+        if (!file) return failed(cannot_write());
+        if (has_terminal)
+            std::fprintf(stderr, "\r%s of %s MB%s", megabytes(request.offset()).c_str(),
+                         megabytes(response->bytes()).c_str(),
+                         request.offset() == response->bytes() ? "\n" : "");
+    }
+    file.close();
+    if (!file) return failed(cannot_write());
+    const auto report = server::verify_store(part);
+    if (!report.ok()) return failed(server_error(report.error()));
+    if (!report->errors.empty())
+        return failed({.error = "the backup is damaged: " + report->errors.front()});
+    if (std::rename(part.c_str(), arguments.file.c_str()) != 0) return failed(cannot_write());
+    return {.text = arguments.json ? report_json(*report)
+                                   : arguments.file + " is a backup of " +
+                                         count_text(static_cast<std::uint32_t>(
+                                                        report->worlds.size()),
+                                                    "world") +
+                                         "\n" + report_text(*report)};
+}
+
+Outcome verify(const CommandArguments& arguments) {
+    const auto report = server::verify_store(arguments.file);
+    if (!report.ok())
+        return {.error = report.error().message,
+                .is_usage_error = report.error().code == ErrorCode::not_found};
+    Outcome outcome{.text = arguments.json ? report_json(*report) : report_text(*report)};
+    if (!report->errors.empty())
+        outcome.error = arguments.file + " is damaged: " + report->errors.front();
+    return outcome;
+}
+
+Outcome restore(const CommandArguments& arguments) {
+    const auto renamed = server::restore_store(arguments.file, arguments.database);
+    if (!renamed.ok()) return {.error = renamed.error().message};
+    if (arguments.json) {
+        nlohmann::json json = {{"database", arguments.database}, {"renamed", *renamed}};
+        return {.text = json.dump(2) + "\n"};
+    }
+    std::string text = arguments.database + " is restored from " + arguments.file +
+                       "; start the server with it\n";
+    for (const std::string& name : *renamed) text += "  a file so far is now " + name + "\n";
+    return {.text = text};
 }
 
 Outcome drain(Connection& server, const CommandArguments& arguments) {

@@ -14,6 +14,7 @@ namespace jostle::ctl {
 // Arguments of all commands.
 struct CommandArguments {
     std::string world, name, scene, file, reason;
+    std::string database;
     std::string from;  // world of which the new one is a copy
     std::uint32_t client = 0, steps = 1;
     std::uint32_t tick = 0;        // 0: the current tick
@@ -42,7 +43,16 @@ Outcome resume(Connection& server, const CommandArguments& arguments);
 Outcome step(Connection& server, const CommandArguments& arguments);
 Outcome export_world(Connection& server, const CommandArguments& arguments);
 Outcome rewind(Connection& server, const CommandArguments& arguments);
+// Downloads a backup of the database to `file`.
+Outcome backup(Connection& server, const CommandArguments& arguments);
 Outcome drain(Connection& server, const CommandArguments& arguments);
 Outcome profile(Connection& server, const CommandArguments& arguments);
+
+// ---- commands without a server ----
+
+// Compares every row of the database or backup `file` with its digest.
+Outcome verify(const CommandArguments& arguments);
+// Puts the backup `file` in the place of `database`, which no server may use.
+Outcome restore(const CommandArguments& arguments);
 
 }  // namespace jostle::ctl

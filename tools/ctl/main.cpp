@@ -27,6 +27,8 @@ Examples:
   jostlectl export arena arena.json                 write a scene file; "-" is standard output
   jostlectl export arena then.json --at 1234        export an earlier tick of a persisted world
   jostlectl profile arena arena.trace.json          record 5 s of ticks for ui.perfetto.dev
+  jostlectl backup worlds.backup                    download a backup while the worlds run
+  jostlectl verify worlds.backup && jostlectl restore worlds.backup worlds.db
   jostlectl drain                                   notify clients, then stop the server
   jostlectl clients --json | jq '.clients[] | select(.kbitPerSecond > 500)'
   jostlectl --server game.example.org:50051 --ca ca.pem --token-file admin.jwt worlds
@@ -41,6 +43,7 @@ struct Flags {
     ConnectionFlags connection;
     CommandArguments arguments;
     Command command = nullptr;
+    Outcome (*local_command)(const CommandArguments& arguments) = nullptr;
 };
 
 void add_connection_flags(CLI::App& app, Flags& flags) {
@@ -176,7 +179,28 @@ void add_client_commands(CLI::App& app, Flags& flags) {
             ->check(CLI::Range(0.0, 87600.0).description(""));
     }
     add(app, flags, "bans", "List the bans", jostle::ctl::list_bans);
+    CLI::App* const backup =
+        add(app, flags, "backup", "Download a backup of all persisted worlds", jostle::ctl::backup);
+    backup->add_option("FILE", w.file, "File to write")->type_name("")->required();
     add(app, flags, "drain", "Notify all clients, then stop the server", jostle::ctl::drain);
+}
+
+// Commands that read and write files on this machine.
+void add_file_commands(CLI::App& app, Flags& flags) {
+    CommandArguments& w = flags.arguments;
+    CLI::App* const verify =
+        app.add_subcommand("verify", "Verify a backup, or the database of a stopped server");
+    verify->add_option("FILE", w.file, "Backup or database")->type_name("")->required();
+    verify->callback([&flags] { flags.local_command = jostle::ctl::verify; });
+    CLI::App* const restore =
+        app.add_subcommand("restore", "Replace the database of a stopped server by a backup");
+    restore->add_option("FILE", w.file, "Backup")->type_name("")->required();
+    restore
+        ->add_option("DATABASE", w.database,
+                     "Database (persistence.database); its files so far are renamed")
+        ->type_name("")
+        ->required();
+    restore->callback([&flags] { flags.local_command = jostle::ctl::restore; });
 }
 
 int run(Flags& flags) {
@@ -184,9 +208,14 @@ int run(Flags& flags) {
         std::fprintf(stderr, "jostlectl: %s\n", message.c_str());
         return status;
     };
-    auto connection = Connection::open(flags.connection);
-    if (!connection.ok()) return fail(2, connection.error().message);
-    const Outcome outcome = flags.command(*connection, flags.arguments);
+    Outcome outcome;
+    if (flags.local_command) {
+        outcome = flags.local_command(flags.arguments);
+    } else {
+        auto connection = Connection::open(flags.connection);
+        if (!connection.ok()) return fail(2, connection.error().message);
+        outcome = flags.command(*connection, flags.arguments);
+    }
     std::fputs(outcome.text.c_str(), stdout);
     if (outcome.error.empty()) return 0;
     return fail(outcome.is_usage_error ? 2 : 1, outcome.error);
@@ -201,6 +230,7 @@ int main(int argc, char** argv) {
     add_connection_flags(app, flags);
     add_world_commands(app, flags);
     add_client_commands(app, flags);
+    add_file_commands(app, flags);
     app.require_subcommand(1);
     app.set_version_flag("--version", "jostlectl " JOSTLE_VERSION, "Print the version and exit");
     app.footer(footer);

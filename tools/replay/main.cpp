@@ -43,8 +43,8 @@ docs/guides/operator/persist.md). Stop the server first, or copy its files. Repl
 --verify compares each checkpoint with the replayed world, and --diff names the first tick and field
 in which two databases differ.
 
-Exit status: 0 success, 1 --verify or --diff found a difference or the tick is not available,
-2 invalid flags or files.)";
+Exit status: 0 success, 1 damage, a difference, no worlds, or the tick is not available, 2 invalid
+flags or files.)";
 
 struct Flags {
     std::string file;
@@ -93,16 +93,19 @@ int run_recording(const Flags& flags) {
 // --- databases ---
 
 int list(const Flags& flags) {
-    const auto worlds = PersistedWorld::list(flags.file);
-    if (!worlds.ok()) return fail(2, worlds.error().message);
+    const auto listing = PersistedWorld::list(flags.file);
+    if (!listing.ok()) return fail(2, listing.error().message);
     auto json = nlohmann::json::array();
-    for (const auto& world : *worlds) {
+    for (const auto& world : listing->worlds) {
         json.push_back({{"id", world.id}, {"name", world.name}, {"epochs", world.epoch}});
         if (!flags.json)
             std::printf("%-16s %s, opened %llu times\n", world.id.c_str(), world.name.c_str(),
                         static_cast<unsigned long long>(world.epoch));
     }
-    return flags.json ? print(json) : 0;
+    if (flags.json) print(json);
+    for (const std::string& damage : listing->damage) fail(1, damage);
+    if (listing->worlds.empty()) return fail(1, flags.file + " contains no worlds");
+    return listing->damage.empty() ? 0 : 1;
 }
 
 int summarize(PersistedWorld& world, const Flags& flags) {

@@ -13,10 +13,25 @@ namespace jostle::replay {
 
 using server::RecoveredWorld;
 
-Result<std::vector<server::StoredWorld>> PersistedWorld::list(const std::string& file) {
+namespace {
+
+// `world`: its id; empty: all worlds.
+std::vector<std::string> damage_of(const server::StorageDamage& damage, const std::string& world) {
+    std::vector<std::string> sentences;
+    if (!damage.store.empty()) sentences.push_back("the database is damaged: " + damage.store);
+    for (const auto& [id, reason] : damage.worlds)
+        if (world.empty() || id == world) sentences.push_back("world " + id + ": " + reason);
+    return sentences;
+}
+
+}  // namespace
+
+Result<PersistedWorld::Listing> PersistedWorld::list(const std::string& file) {
     auto storage = server::SqliteStorage::open(file, {.create = false});
     if (!storage.ok()) return storage.error();
-    return (*storage)->worlds();
+    auto worlds = (*storage)->worlds();
+    if (!worlds.ok()) return worlds.error();
+    return Listing{*std::move(worlds), damage_of((*storage)->damage(), "")};
 }
 
 Result<PersistedWorld> PersistedWorld::open(const std::string& file, const std::string& world) {
@@ -28,7 +43,8 @@ Result<PersistedWorld> PersistedWorld::open(const std::string& file, const std::
         if (stored.id != world && stored.name != world) continue;
         auto record = server::decode_world_definition(stored.settings);
         if (!record.ok()) return record.error();
-        return PersistedWorld(*std::move(storage), stored, *std::move(record));
+        std::vector<std::string> damage = damage_of((*storage)->damage(), stored.id);
+        return PersistedWorld(*std::move(storage), stored, *std::move(record), std::move(damage));
     }
     std::string names;
     for (const server::StoredWorld& stored : *all)
@@ -52,6 +68,7 @@ Result<PersistedWorld::Summary> PersistedWorld::summary() {
                     .scene = record_.scene->name,
                     .engine = stored_.engine,
                     .checkpoints = {ticks->rbegin(), ticks->rend()}};
+    if (!damage_.empty()) summary.corruption = damage_.front();
     if (summary.checkpoints.empty()) {
         summary.corruption = "the world has no checkpoint";
         return summary;
@@ -90,7 +107,7 @@ Result<RecoveredWorld> PersistedWorld::replay_from_first(const server::RecoveryO
 Result<PersistedWorld::Verification> PersistedWorld::verify() {
     const auto ticks = store_->checkpoint_ticks(stored_.id);
     if (!ticks.ok()) return ticks.error();
-    Verification verification;
+    Verification verification{.errors = damage_};
     std::map<std::uint32_t, std::uint64_t> hashes;
     for (const std::uint32_t tick : *ticks) {
         const auto checkpoint = store_->checkpoint(stored_.id, tick);

@@ -22,7 +22,11 @@ public:
     // Opens a world by id or name. Returns an error if the database cannot be opened or has no such
     // world.
     static Result<PersistedWorld> open(const std::string& file, const std::string& world);
-    static Result<std::vector<server::StoredWorld>> list(const std::string& file);
+    struct Listing {
+        std::vector<server::StoredWorld> worlds;
+        std::vector<std::string> damage;  // of the database, one sentence each
+    };
+    static Result<Listing> list(const std::string& file);
 
     struct Summary {
         std::string id, name, scene, engine;
@@ -61,14 +65,18 @@ public:
 
 private:
     PersistedWorld(std::unique_ptr<server::WorldStorage> store, server::StoredWorld stored,
-                   server::WorldDefinition record)
-        : store_(std::move(store)), stored_(std::move(stored)), record_(std::move(record)) {}
+                   server::WorldDefinition record, std::vector<std::string> damage)
+        : store_(std::move(store)),
+          stored_(std::move(stored)),
+          record_(std::move(record)),
+          damage_(std::move(damage)) {}
     Result<server::RecoveredWorld> replay_from_first(const server::RecoveryOptions& options);
     Result<std::uint32_t> oldest();
 
     std::unique_ptr<server::WorldStorage> store_;
     server::StoredWorld stored_;
     server::WorldDefinition record_;
+    std::vector<std::string> damage_;  // of the database and of this world
 };
 
 }  // namespace jostle::replay

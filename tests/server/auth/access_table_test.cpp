@@ -162,7 +162,7 @@ std::map<std::string, Expected> expected_permissions() {
          {"jostle.v1.AdminService/ListClients", "jostle.v1.AdminService/Kick"}},
         {Role::admin,
          server,
-         {"jostle.v1.AdminService/Drain", "jostle.v1.AdminService/Ban",
+         {"jostle.v1.AdminService/Drain", "jostle.v1.AdminService/Backup", "jostle.v1.AdminService/Ban",
           "jostle.v1.AdminService/Unban", "jostle.v1.AdminService/ListBans"}},
         {Role::admin,
          world,

@@ -315,13 +315,18 @@ TEST(SqliteStorage, reports_commits_that_are_missing) {
     std::string& log = cut["worlds.db-wal"];
     log[log.size() - 3000] = static_cast<char>(log[log.size() - 3000] ^ 1);
     write_files(folder, cut);
-    const auto store = opened(folder / "worlds.db");
+    auto store = opened(folder / "worlds.db");
     EXPECT_TRUE(store->damage().store.find("commits are missing") != std::string::npos)
         << store->damage().store;
     JournalMaker other("other");
     EXPECT_EQ(error_of(write(*store, {PutWorld{stored_world("other")}})).code,
               ErrorCode::failed_precondition);
     EXPECT_EQ(store->worlds()->size(), 2u) << "the rest can be read";
+    EXPECT_TRUE(folder.read("worlds.db-wal") == cut.at("worlds.db-wal"));
+
+    store.reset();
+    EXPECT_TRUE(folder.read("worlds.db-wal") == cut.at("worlds.db-wal"))
+        << "closing a damaged database must not delete its log";
 
     cut["worlds.db-wal"] = "";
     write_files(folder, cut);

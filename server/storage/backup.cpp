@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: MIT
+#include "server/storage/backup.h"
+
+#include <fcntl.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <array>
+#include <cerrno>
+#include <cstring>
+#include <ctime>
+#include <filesystem>
+#include <utility>
+
+#include "jostle/base/check.h"
+#include "server/storage/sqlite_schema.h"
+#include "server/storage/sqlite_storage.h"
+
+namespace jostle::server {
+namespace {
+
+namespace fs = std::filesystem;
+
+// The files of a database, by the suffixes of their names.
+constexpr const char* suffixes[] = {"", "-wal", "-shm", ".head", ".marks"};
+
+Status sync_file(const std::string& path) {
+    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
+    const bool ok = file >= 0 && ::fsync(file) == 0;
+    const int error = errno;
+    if (file >= 0) ::close(file);
+    if (ok) return {};
+    return Error{ErrorCode::unavailable, path + ": " + std::strerror(error)};
+}
+
+std::string folder_of(const std::string& path) {
+    const std::string folder = fs::path(path).parent_path().string();
+    return folder.empty() ? "." : folder;
+}
+
+// Whether another process has the database open. Opening it would take its lock.
+Status check_unused(const std::string& path) {
+    if (!fs::exists(path)) return {};
+    const auto storage = SqliteStorage::open(path, {.create = false});
+    const bool is_used =
+        !storage.ok() && storage.error().code == ErrorCode::failed_precondition;
+    return is_used ? Status(storage.error()) : Status();
+}
+
+}  // namespace
+
+Result<std::unique_ptr<OnlineBackup>> OnlineBackup::begin(SqliteDatabase& source,
+                                                          const std::string& path) {
+    if (::access(path.c_str(), F_OK) == 0)
+        return Error{ErrorCode::already_exists, path + " exists already"};
+    Result<SqliteDatabase> copy = SqliteDatabase::open(path, nullptr, true);
+    if (!copy.ok()) return Error{copy.error().code, path + ": " + copy.error().message};
+    std::unique_ptr<OnlineBackup> backup(new OnlineBackup(*std::move(copy), path));
+    backup->backup_.reset(
+        sqlite3_backup_init(backup->copy_.handle(), "main", source.handle(), "main"));
+    if (!backup->backup_)
+        return Error{ErrorCode::unavailable,
+                     path + ": " + sqlite3_errmsg(backup->copy_.handle())};
+    return backup;
+}
+
+OnlineBackup::~OnlineBackup() {
+    backup_.reset();
+    if (is_finished_) return;
+    ::unlink(path_.c_str());
+    ::unlink((path_ + "-journal").c_str());
+}
+
+Result<bool> OnlineBackup::step(int pages) {
+    ASSERT(backup_ && pages > 0);
+    switch (const int code = sqlite3_backup_step(backup_.get(), pages)) {
+        case SQLITE_OK:
+            return false;
+        case SQLITE_DONE:
+            return true;
+        case SQLITE_FULL:
+            return Error{ErrorCode::resource_exhausted, path_ + ": the disk is full"};
+        default:
+            return Error{ErrorCode::unavailable, path_ + ": " + sqlite3_errstr(code)};
+    }
+}
+
+Status OnlineBackup::finish() {
+    ASSERT(backup_);
+    const int code = sqlite3_backup_finish(backup_.release());
+    if (code != SQLITE_OK)
+        return Error{ErrorCode::unavailable, path_ + ": " + sqlite3_errstr(code)};
+    // One file: without a write-ahead log.
+    Status done = copy_.execute("PRAGMA journal_mode = DELETE; PRAGMA synchronous = FULL;"
+                                "UPDATE head SET is_backup = 1");
+    if (done.ok()) done = sync_file(folder_of(path_));
+    is_finished_ = done.ok();
+    return done;
+}
+
+Result<StoreReport> verify_store(const std::string& path) {
+    Result<std::unique_ptr<SqliteStorage>> storage =
+        SqliteStorage::open(path, {.create = false, .is_read_only = true});
+    if (!storage.ok()) return storage.error();
+    StoreReport report = (*storage)->report();
+    if (!(*storage)->damage().store.empty()) report.errors.push_back((*storage)->damage().store);
+    for (const auto& [world, damage] : (*storage)->damage().worlds)
+        report.errors.push_back("world " + world + ": " + damage);
+    if (Status s = (*storage)->check_rows(report.errors); !s.ok()) return s.error();
+    const auto worlds = (*storage)->worlds();
+    if (!worlds.ok()) {
+        report.errors.push_back(worlds.error().message);
+        return report;
+    }
+    for (const StoredWorld& stored : *worlds) {
+        StoreReport::World world{.id = stored.id, .name = stored.name};
+        const auto ticks = (*storage)->checkpoint_ticks(stored.id);
+        if (!ticks.ok()) return ticks.error();
+        world.checkpoints = ticks->size();
+        if (!ticks->empty()) world.last_tick = ticks->front();
+        if (ticks->empty()) report.errors.push_back("world " + stored.id + " has no checkpoint");
+        // Reads the journal as a recovery from the oldest checkpoint would.
+        std::uint64_t after = 0;
+        if (!ticks->empty())
+            if (const auto oldest = (*storage)->checkpoint(stored.id, ticks->back()); oldest.ok())
+                after = oldest->sequence;
+        for (;;) {
+            const auto entries = (*storage)->entries(stored.id, after, 8 << 20);
+            if (!entries.ok()) report.errors.push_back(entries.error().message);
+            if (!entries.ok() || entries->empty()) break;
+            world.entries += entries->size();
+            world.last_tick = std::max(world.last_tick, entries->back().last_tick);
+            after = entries->back().sequence;
+        }
+        report.worlds.push_back(std::move(world));
+    }
+    return report;
+}
+
+Result<std::vector<std::string>> restore_store(const std::string& backup, const std::string& path) {
+    const Result<StoreReport> report = verify_store(backup);
+    if (!report.ok()) return report.error();
+    if (!report->errors.empty())
+        return Error{ErrorCode::corrupt_data, backup + " is damaged: " + report->errors.front()};
+    if (!report->is_backup)
+        return Error{ErrorCode::corrupt_data,
+                     backup + " is a database of a server and not a backup; jostlectl backup makes "
+                              "one"};
+    if (Status s = check_unused(path); !s.ok()) return s.error();
+    const std::string copy = path + ".restoring";
+    std::error_code error;
+    fs::copy_file(backup, copy, fs::copy_options::overwrite_existing, error);
+    if (error) return Error{ErrorCode::unavailable, copy + ": " + error.message()};
+    fs::permissions(copy, fs::perms::owner_read | fs::perms::owner_write, error);
+    if (Status s = sync_file(copy); !s.ok()) {
+        ::unlink(copy.c_str());
+        return s.error();
+    }
+    const std::string aside = path + ".before-restore-" + std::to_string(std::time(nullptr));
+    std::vector<std::string> renamed;
+    const auto undo = [&] {
+        for (const std::string& name : renamed)
+            fs::rename(name, path + name.substr(aside.size()), error);
+        ::unlink(copy.c_str());
+    };
+    for (const char* suffix : suffixes) {
+        if (!fs::exists(path + suffix)) continue;
+        fs::rename(path + suffix, aside + suffix, error);
+        if (error) {
+            const Error failed{ErrorCode::unavailable, path + suffix + ": " + error.message()};
+            undo();
+            return failed;
+        }
+        renamed.push_back(aside + suffix);
+    }
+    fs::rename(copy, path, error);
+    if (error) {
+        const Error failed{ErrorCode::unavailable, path + ": " + error.message()};
+        undo();
+        return failed;
+    }
+    if (Status s = sync_file(folder_of(path)); !s.ok()) return s.error();
+    return renamed;
+}
+
+}  // namespace jostle::server

@@ -35,8 +35,9 @@ Examples:
   jostle-replay worlds.db --world yard --diff other.db
 
 Recordings are written by jostle-record. A truncated recording, after a crash or while it is
-written, is read up to its last complete record; the summary reports it. Positions are in m,
-rotations are quaternions. A tick without a snapshot shows the preceding snapshot.
+written, is read up to its last complete record; corrupt records are skipped. The summary reports
+both. Positions are in m, rotations are quaternions. A tick without a snapshot shows the preceding
+snapshot.
 
 A database contains the persisted worlds of a server (persistence.database,
 docs/guides/operator/persist.md). Stop the server first, or copy its files. Replay is bit-identical:
@@ -75,8 +76,9 @@ int run_recording(const Flags& flags) {
     if (!recording.ok()) return fail(2, recording.error().message);
     if (!flags.at && !flags.verify) {
         const auto summary = summarize(*recording);
-        return print(flags.json ? replay::to_json(*recording, summary)
-                                : replay::to_text(*recording, summary));
+        print(flags.json ? replay::to_json(*recording, summary)
+                         : replay::to_text(*recording, summary));
+        return summary.errors == 0 ? 0 : 1;
     }
     Playback playback(*std::move(recording));
     if (flags.verify) {

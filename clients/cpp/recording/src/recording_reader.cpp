@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "jostle/client/recording_reader.h"
 
+#include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -125,14 +126,43 @@ RecordingReader::ScanResult RecordingReader::scan_to(std::uint64_t end) {
         if (read_bytes(scan.end, 4, word) && get<std::uint32_t>(word, 0) == 0) break;
         const Result<Record> record = read(scan.end);
         if (!record.ok()) {
-            scan.fault = record.error().message;
-            break;
+            if (scan.fault.empty()) scan.fault = record.error().message;
+            const std::uint64_t next = next_intact_before(scan.end, end);
+            if (next == end) break;
+            scan.end = next;
+            continue;
         }
         if (const auto entry = index_entry_for(record->message, scan.end))
             scan.index.push_back(*entry);
         scan.end = record->next;
     }
     return scan;
+}
+
+std::uint64_t RecordingReader::next_intact(std::uint64_t offset) {
+    return next_intact_before(offset, end_);
+}
+
+// Tries each byte as the start of a record. Random bytes rarely have a plausible length; what a
+// crafted file can make this read is bounded.
+std::uint64_t RecordingReader::next_intact_before(std::uint64_t offset, std::uint64_t end) {
+    constexpr std::uint64_t window = 1 << 20;
+    std::uint64_t checked_bytes_left = 64 << 20;
+    std::string bytes;
+    while (++offset < end) {
+        if (!read_bytes(offset, std::min(window, end - offset), bytes)) return end;
+        for (std::uint64_t k = 0; k + record_header_bytes < bytes.size(); k++) {
+            const std::uint64_t length = get<std::uint32_t>(bytes, k);
+            const std::uint64_t room = end - offset - k - record_header_bytes;
+            if (length == 0 || length > message_bytes_max || length > room) continue;
+            if (length > checked_bytes_left) return end;
+            checked_bytes_left -= length;
+            if (read(offset + k).ok()) return offset + k;
+        }
+        if (bytes.size() <= record_header_bytes) return end;
+        offset += bytes.size() - record_header_bytes - 1;
+    }
+    return end;
 }
 
 Status RecordingReader::read_welcome() {

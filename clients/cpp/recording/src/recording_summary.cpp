@@ -45,8 +45,9 @@ RecordingSummary summarize(RecordingReader& recording) {
     for (std::uint64_t offset = recording.first(); offset < recording.end();) {
         const auto record = recording.read(offset);
         if (!record.ok()) {
-            summary.first_error = record.error().message;
-            break;
+            if (summary.errors++ == 0) summary.first_error = record.error().message;
+            offset = recording.next_intact(offset);
+            continue;
         }
         offset = record->next;
         const v1::ServerMessage& message = record->message;

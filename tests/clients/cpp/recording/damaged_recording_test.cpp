@@ -111,6 +111,34 @@ TEST(DamagedRecording, reports_a_damaged_record_and_continues_at_the_next_keyfra
                                                         std::distance(damaged_from, whole_from)));
 }
 
+TEST(DamagedRecording, shows_the_rest_after_damage_in_the_middle) {
+    const std::string& file = three_seconds().file;
+    const std::vector<std::uint64_t> places = record_places(file);
+    RecordingReader intact = opened(file).value();
+    const RecordingSummary whole = summarize(intact);
+    const std::size_t hit = places.size() / 2;
+    std::string damaged = file;
+    damaged.replace(places[hit], 200, std::string(200, '\x5a'));  // destroys lengths as well
+    const auto lost = static_cast<std::uint64_t>(
+        std::ranges::upper_bound(places, places[hit] + 199) - places.begin()) - hit;
+    const auto count = [](const RecordingSummary& summary) {
+        std::uint64_t all = 0;
+        for (const auto& [kind, messages] : summary.messages) all += messages;
+        return all;
+    };
+    for (const bool has_index : {true, false}) {
+        RecordingReader reader =
+            opened(has_index ? damaged : damaged.substr(0, places.back())).value();
+        const RecordingSummary found = summarize(reader);
+        EXPECT_EQ(found.last_tick, whole.last_tick);
+        EXPECT_EQ(count(found), count(whole) - lost) << "only the damaged records are missing";
+        EXPECT_EQ(found.errors, 1u);
+        EXPECT_TRUE(found.first_error.starts_with("byte " + std::to_string(places[hit]) + ": "));
+        Playback playback(std::move(reader));
+        EXPECT_TRUE(playback.seek(whole.last_tick).ok());
+    }
+}
+
 TEST(DamagedRecording, detects_any_damaged_byte_of_a_record) {
     const std::string& file = three_seconds().file;
     const std::vector<std::uint64_t> places = record_places(file);

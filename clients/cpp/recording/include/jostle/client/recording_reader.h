@@ -34,6 +34,10 @@ public:
     /// must be before end(). Errors contain the byte offset.
     Result<Record> read(std::uint64_t offset);
 
+    /// After an error of read(): the offset of the next intact record after `offset`, or end() if
+    /// there is none.
+    std::uint64_t next_intact(std::uint64_t offset);
+
     std::uint64_t first() const;                ///< offset of the record after the Welcome
     std::uint64_t end() const { return end_; }  ///< offset after the last complete record
     const v1::Welcome& welcome() const { return welcome_; }
@@ -42,14 +46,14 @@ public:
     /// In the order of the file.
     const std::vector<RecordingEntry>& index() const { return index_; }
     /// Why the recording is incomplete: where it was truncated or why its index is invalid. Empty:
-    /// it is complete.
+    /// it has an index; records may still be corrupt.
     const std::string& truncation_reason() const { return truncation_reason_; }
     /// Builds the index from the records, to verify the index of the file.
     std::vector<RecordingEntry> rebuild_index();
 
 private:
     explicit RecordingReader(std::unique_ptr<std::istream> in) : in_(std::move(in)) {}
-    // Result of a scan: the records up to the first invalid one, and why the scan stopped there.
+    // Result of a scan: the intact records, the end of the last one, and the first fault.
     struct ScanResult {
         std::vector<RecordingEntry> index;
         std::uint64_t end = 0;
@@ -59,6 +63,7 @@ private:
     Status read_header();
     Status read_index();
     Status read_welcome();
+    std::uint64_t next_intact_before(std::uint64_t offset, std::uint64_t end);
     bool read_bytes(std::uint64_t offset, std::uint64_t count, std::string& bytes);
 
     std::unique_ptr<std::istream> in_;

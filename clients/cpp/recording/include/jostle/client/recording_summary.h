@@ -20,9 +20,10 @@ struct RecordingSummary {
     std::uint64_t keyframes = 0, keyframe_bytes = 0;  ///< number of keyframes and their size
     std::size_t entities = 0, entities_max = 0;       ///< at the end, and maximum
     std::map<std::string, std::uint64_t> messages{};  ///< number of messages by kind
-    std::string first_error{};  ///< error that stopped the summary; empty: none
+    std::uint64_t errors = 0;   ///< number of places with corrupt records, which are skipped
+    std::string first_error{};  ///< empty: none
 };
-/// Reads every record without decoding snapshots.
+/// Reads every intact record without decoding snapshots.
 RecordingSummary summarize(RecordingReader& recording);
 
 /// Result of check().

@@ -21,8 +21,10 @@ struct ClientLimits {
     int message_bytes_max = 65536;
     int inputs_per_batch_max = 64;
     int bodies_owned_max = 50;
+    int account_bodies_max = 500;  // of all clients of a subject or network; 0: unlimited
     // false: bodies spawned by a client are removed when it leaves
     bool retain_bodies_after_leave = false;
+    double retained_bodies_seconds = 0;  // then they are removed as well; 0: they stay
     // How long the session of a client that can resume is retained after its connection broke; 0
     // disables resuming.
     double resume_timeout_seconds = 30;
@@ -45,6 +47,7 @@ struct WorldLimits {
     int bodies_total_max = 50000;       // in all worlds together; about 5 kB of memory each
     int clients_max = 1000;             // per server
     int clients_per_address_max = 250;  // per IPv4 address or IPv6 /64
+    double spawn_load_max = 0.7;   // busy share of the tick period up to which clients may spawn
     int command_queue_max = 8192;  // commands waiting for a tick; if full, the input is refused
 };
 
@@ -64,6 +67,10 @@ struct TickSettings {
     // and counted, so that a stall of the machine is not followed by a burst.
     int catch_up_ticks_max = 4;
     int physics_threads = 1;  // per world
+    // Share of the tick period for inputs, divided evenly among the players that send some; 0:
+    // unlimited. Inputs beyond it wait for later ticks, at most this long.
+    double input_share = 0.25;
+    double input_wait_seconds_max = 0.5;
     // Processor time of the tick thread. A tick that uses more is interrupted and its world is
     // paused for a while, so that it does not delay other worlds.
     double step_seconds_max = 1;

@@ -71,9 +71,9 @@ void BackupDownload::remove_idle(Clock::time_point now) {
 Result<BackupDownload::Piece> BackupDownload::read_locked(std::uint64_t offset) {
     Piece piece{.id = id_, .bytes = bytes_, .data = {}};
     piece.data.resize(std::min<std::uint64_t>(piece_bytes_max, bytes_ - offset));
-    const bool is_read = ::fseeko(file_.get(), static_cast<off_t>(offset), SEEK_SET) == 0 &&
-                         std::fread(piece.data.data(), 1, piece.data.size(), file_.get()) ==
-                             piece.data.size();
+    const bool is_read =
+        ::fseeko(file_.get(), static_cast<off_t>(offset), SEEK_SET) == 0 &&
+        std::fread(piece.data.data(), 1, piece.data.size(), file_.get()) == piece.data.size();
     if (is_read) return piece;
     return Error{ErrorCode::unavailable,
                  fmt::format("cannot read the backup: {}", std::strerror(errno))};

@@ -42,8 +42,7 @@ std::string folder_of(const std::string& path) {
 Status check_unused(const std::string& path) {
     if (!fs::exists(path)) return {};
     const auto storage = SqliteStorage::open(path, {.create = false});
-    const bool is_used =
-        !storage.ok() && storage.error().code == ErrorCode::failed_precondition;
+    const bool is_used = !storage.ok() && storage.error().code == ErrorCode::failed_precondition;
     return is_used ? Status(storage.error()) : Status();
 }
 
@@ -59,8 +58,7 @@ Result<std::unique_ptr<OnlineBackup>> OnlineBackup::begin(SqliteDatabase& source
     backup->backup_.reset(
         sqlite3_backup_init(backup->copy_.handle(), "main", source.handle(), "main"));
     if (!backup->backup_)
-        return Error{ErrorCode::unavailable,
-                     path + ": " + sqlite3_errmsg(backup->copy_.handle())};
+        return Error{ErrorCode::unavailable, path + ": " + sqlite3_errmsg(backup->copy_.handle())};
     return backup;
 }
 
@@ -91,8 +89,9 @@ Status OnlineBackup::finish() {
     if (code != SQLITE_OK)
         return Error{ErrorCode::unavailable, path_ + ": " + sqlite3_errstr(code)};
     // One file: without a write-ahead log.
-    Status done = copy_.execute("PRAGMA journal_mode = DELETE; PRAGMA synchronous = FULL;"
-                                "UPDATE head SET is_backup = 1");
+    Status done = copy_.execute(
+        "PRAGMA journal_mode = DELETE; PRAGMA synchronous = FULL;"
+        "UPDATE head SET is_backup = 1");
     if (done.ok()) done = sync_file(folder_of(path_));
     is_finished_ = done.ok();
     return done;
@@ -144,8 +143,9 @@ Result<std::vector<std::string>> restore_store(const std::string& backup, const 
         return Error{ErrorCode::corrupt_data, backup + " is damaged: " + report->errors.front()};
     if (!report->is_backup)
         return Error{ErrorCode::corrupt_data,
-                     backup + " is a database of a server and not a backup; jostlectl backup makes "
-                              "one"};
+                     backup +
+                         " is a database of a server and not a backup; jostlectl backup makes "
+                         "one"};
     if (Status s = check_unused(path); !s.ok()) return s.error();
     const std::string copy = path + ".restoring";
     std::error_code error;

@@ -198,13 +198,14 @@ Status open_schema(SqliteDatabase& database, OpenMode mode, HeadFile& head,
                          "; restore a backup, or delete that file to begin anew"};
     if (is_reading && !has_head)
         return Error{ErrorCode::corrupt_data,
-                     is_new ? "it is empty"
-                            : "it was written by an older version of Jostle; a server that opens it "
-                              "updates it"};
+                     is_new
+                         ? "it is empty"
+                         : "it was written by an older version of Jostle; a server that opens it "
+                           "updates it"};
     if (is_reading) return check_structure(database);
     if (Status s = database.execute(
             mode == OpenMode::durable ? "PRAGMA journal_mode = WAL; PRAGMA synchronous = FULL;"
-                       : "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;");
+                                      : "PRAGMA journal_mode = WAL; PRAGMA synchronous = NORMAL;");
         !s.ok())
         return s;
     if (!is_new)

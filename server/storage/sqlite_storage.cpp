@@ -442,7 +442,8 @@ Status SqliteStorage::check_rows(std::vector<std::string>& errors) {
         [](const SqliteStatement& row) -> std::string {
             const std::string world(row.bytes(7));
             const JournalEntry entry = entry_of(row);
-            return row.bytes(6) == view_of(digest_of_row(world, entry)) ? "" : name_of(world, entry);
+            return row.bytes(6) == view_of(digest_of_row(world, entry)) ? ""
+                                                                        : name_of(world, entry);
         });
     if (!done.ok()) return done;
     done = read("SELECT tick, hash, sequence, exact, portable, digest, world FROM checkpoint",

@@ -21,7 +21,8 @@
 namespace jostle::server {
 
 using EntityId = std::uint32_t;  // never reused in a world; 0: none
-using ClientId = std::uint32_t;  // 0: the scene
+using ClientId = std::uint32_t;
+inline constexpr ClientId scene_client = 0;  // the scene and the host, which may delete any entity
 // The player behind one or more clients, for limits: a subject or a network. 0: nobody.
 using AccountId = std::uint64_t;
 

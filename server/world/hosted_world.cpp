@@ -134,12 +134,21 @@ Status HostedWorld::apply_and_record(const Command& command, InputResult& result
     return status.ok() ? apply_action(state_, command.client, *action, result.entity) : status;
 }
 
+void HostedWorld::remove_entities(std::span<const EntityId> entities) {
+    InputResult ignored;
+    for (const EntityId entity : entities)
+        if (state_.entities.find(entity))
+            apply_and_record({.client = scene_client, .action = DeleteCommand{entity}, .reply = {}},
+                             ignored)
+                .expect();
+}
+
 void HostedWorld::replay(const JournaledCommand& command) {
     const bool has = command.action.has_value();
     const bool is_leave = has && std::holds_alternative<LeaveCommand>(*command.action);
     if (is_leave)
         last_sequences_.erase(command.client);
-    else if (!has || !std::holds_alternative<DisconnectCommand>(*command.action))
+    else if (command.sequence != 0)
         last_sequences_[command.client] = command.sequence;
     EntityId affected = 0;
     if (has)

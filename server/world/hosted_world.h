@@ -8,6 +8,7 @@
 #include <memory>
 #include <optional>
 #include <set>
+#include <span>
 #include <utility>
 #include <vector>
 
@@ -46,7 +47,9 @@ public:
 
     // Applies an input at most once: refuses a sequence that does not exceed the client's last one.
     InputResult apply(const Command& command, std::uint32_t tick);
-    // apply() records commands for take_journal() from now on.
+    // Removes entities, whoever owns them; unknown ones are skipped.
+    void remove_entities(std::span<const EntityId> entities);
+    // apply() and remove_entities() record commands for take_journal() from now on.
     void enable_journal() { journal_enabled_ = true; }
     // Returns the commands that were applied since the previous call.
     std::vector<JournaledCommand> take_journal() { return std::exchange(journal_, {}); }
@@ -82,6 +85,7 @@ public:
     }
 
     const physics::World& world() const { return state_.world; }
+    const Ownership& ownership() const { return state_.ownership; }
     std::size_t entities() const { return state_.entities.size(); }
     // The newest frames, for lag compensation. Any thread.
     FrameRing& frame_history() const { return *frame_history_; }

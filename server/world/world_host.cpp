@@ -63,6 +63,7 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
       world_(std::move(start.world)),
       tick_(start.tick),
       scheduler_(settings.inputs, properties_.hz),
+      body_limits_(settings.body_limits, properties_.hz),
       world_journal_(std::move(start.world_journal)),
       tick_metrics_(settings.metrics, properties_.label.name) {
     auto first = std::make_shared<Frame>();
@@ -162,12 +163,15 @@ void WorldHost::run_tick(Clock::time_point due, std::uint32_t late_ticks) {
     const Clock::time_point began = Clock::now();
     lifecycle_.begin_tick(began);
     tick_metrics_.begin_tick(began);
+    cpu_time_.use_this_thread();
+    cpu_at_begin_ = cpu_time_.now().value_or(std::chrono::nanoseconds(0));
     if (checkpoint_copier_) std::exchange(checkpoint_copier_, nullptr)->finish();
     tick_++;
     ASSERT(tick_ > properties_.first_tick);
     const std::optional<std::string> paused = lifecycle_.paused();
     const std::optional<Error> refusal = input_refusal(paused);
     apply_commands(refusal, due);
+    remove_excess_bodies(began);
     const bool allowed = paused && single_step_.begin_step();
     const bool steps = !paused || allowed;
     if (world_journal_) world_journal_->append({tick_, steps, world_.take_journal()});
@@ -187,6 +191,8 @@ void WorldHost::run_tick(Clock::time_point due, std::uint32_t late_ticks) {
     tick_metrics_.end_tick(*frame, stepped ? &world_.world().profile() : nullptr,
                            results_.size() + scheduler_.waiting());
     hand_over_checkpoint();
+    const std::chrono::nanoseconds cpu_now = cpu_time_.now().value_or(cpu_at_begin_);
+    body_limits_.end_tick(std::chrono::duration<double>(cpu_now - cpu_at_begin_).count(), stepped);
     log_time_scale(*frame, began);
     lifecycle_.end_tick();
 }
@@ -216,19 +222,19 @@ void WorldHost::apply_commands(std::optional<Error> refusal, Clock::time_point d
     mailbox_.take_due(tick_);
     results_.clear();
     scheduler_.begin_tick(mailbox_.inputs(), mailbox_.leave_commands());
-    ThreadCpuTime clock;
-    clock.use_this_thread();
-    std::chrono::nanoseconds before = clock.now().value_or(std::chrono::nanoseconds(0));
+    std::chrono::nanoseconds before = cpu_time_.now().value_or(std::chrono::nanoseconds(0));
     while (const Command* const command = scheduler_.next()) {
         if (!refusal && lifecycle_.stopped())
             refusal = Error{ErrorCode::unavailable, "the world is being closed"};
         else if (!refusal)
             refusal = pause_refusal(lifecycle_.paused());
+        const std::optional<Error> refused =
+            refusal ? refusal : body_limits_.refusal(*command, world_.ownership());
         put_result(*command,
-                   refusal ? InputResult{.sequence = command->sequence, .status = *refusal}
+                   refused ? InputResult{.sequence = command->sequence, .status = *refused}
                            : world_.apply(*command, tick_),
                    due);
-        const std::chrono::nanoseconds after = clock.now().value_or(before);
+        const std::chrono::nanoseconds after = cpu_time_.now().value_or(before);
         scheduler_.charge(std::chrono::duration<double>(after - before).count());
         before = after;
     }
@@ -236,7 +242,23 @@ void WorldHost::apply_commands(std::optional<Error> refusal, Clock::time_point d
         put_result(refused.command,
                    {.sequence = refused.command.sequence, .status = std::move(refused.status)},
                    due);
-    for (const Command& command : mailbox_.leave_commands()) world_.apply(command, tick_);
+    for (const Command& command : mailbox_.leave_commands()) {
+        const LeaveCommand* const leave = std::get_if<LeaveCommand>(&command.action);
+        if (leave && leave->retain_bodies)
+            body_limits_.on_retained(world_.ownership().owned_by(command.client), due);
+        world_.apply(command, tick_);
+    }
+}
+
+void WorldHost::remove_excess_bodies(Clock::time_point now) {
+    const BodyLimits::Removal removal = body_limits_.take_removals(world_.ownership(), now);
+    world_.remove_entities(removal.expired);
+    if (removal.excess.empty()) return;
+    world_.remove_entities(removal.excess);
+    log_warn(
+        "world {} \"{}\" cannot keep its rate (load {:.2f}): removed the {} oldest bodies of the "
+        "player with most bodies",
+        id(), name(), body_limits_.load(), removal.excess.size());
 }
 
 void WorldHost::put_result(const Command& command, InputResult result, Clock::time_point due) {

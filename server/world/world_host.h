@@ -14,7 +14,9 @@
 #include <string>
 #include <vector>
 
+#include "server/util/thread_cpu_time.h"
 #include "server/world/between_ticks_executor.h"
+#include "server/world/body_limits.h"
 #include "server/world/command_mailbox.h"
 #include "server/world/frame_publisher.h"
 #include "server/world/hosted_world.h"
@@ -40,6 +42,7 @@ struct WorldHostSettings {
     TotalLimits totals;
     int command_queue_max = 8192;
     InputScheduler::Settings inputs;
+    BodyLimits::Settings body_limits;
     int catch_up_ticks_max = 4;
     int physics_threads = 1;
     bool own_thread = true;                         // false: the world ticks only in tick()
@@ -131,6 +134,7 @@ private:
     // `refusal`: why no input is applied; nothing: inputs are applied.
     std::optional<Error> input_refusal(const std::optional<std::string>& paused) const;
     void apply_commands(std::optional<Error> refusal, Clock::time_point due);
+    void remove_excess_bodies(Clock::time_point now);
     void put_result(const Command& command, InputResult result, Clock::time_point due);
     // `allowed`: step even if the world is paused. False: the world took no step.
     bool step(bool allowed);
@@ -155,7 +159,10 @@ private:
     HostedWorld world_;
     std::uint32_t tick_ = 0;
     InputScheduler scheduler_;
-    std::vector<WaitingResult> results_;  // of the inputs of this tick
+    BodyLimits body_limits_;
+    ThreadCpuTime cpu_time_;
+    std::chrono::nanoseconds cpu_at_begin_{0};  // of this tick
+    std::vector<WaitingResult> results_;        // of the inputs of this tick
     bool step_refused_ = false, step_interrupted_ = false;
     bool step_aborted_ = false;  // the end of the world aborted the last step
 

@@ -91,13 +91,14 @@ std::string report_text(const server::StoreReport& report) {
         text += "  " + sanitized(world.id) + " \"" + sanitized(world.name) + "\": up to tick " +
                 std::to_string(world.last_tick) + ", " + std::to_string(world.checkpoints) +
                 " checkpoints, " + std::to_string(world.entries) + " journal entries\n";
-    for (const std::string& error : report.errors) text += "  damage: " + sanitized(error, 300) + "\n";
+    for (const std::string& error : report.errors)
+        text += "  damage: " + sanitized(error, 300) + "\n";
     return text;
 }
 
 std::string report_json(const server::StoreReport& report) {
-    nlohmann::json json = {{"isBackup", report.is_backup},  {"bytes", report.bytes},
-                           {"commits", report.commits},     {"written", report.written},
+    nlohmann::json json = {{"isBackup", report.is_backup},      {"bytes", report.bytes},
+                           {"commits", report.commits},         {"written", report.written},
                            {"worlds", nlohmann::json::array()}, {"errors", report.errors}};
     for (const server::StoreReport::World& world : report.worlds)
         json["worlds"].push_back({{"id", world.id},
@@ -261,16 +262,16 @@ Outcome backup(Connection& server, const CommandArguments& arguments) {
         return outcome;
     };
     const auto cannot_write = [&] {
-        return usage_error({ErrorCode::unavailable,
-                            "cannot write " + part + ": " + std::strerror(errno)});
+        return usage_error(
+            {ErrorCode::unavailable, "cannot write " + part + ": " + std::strerror(errno)});
     };
     if (!file || ::chmod(part.c_str(), 0600) != 0) return cannot_write();
     const bool has_terminal = ::isatty(STDERR_FILENO) != 0;
     v1::BackupRequest request;
     for (;;) {
         // The first call makes the backup.
-        const auto timeout = request.id().empty() ? std::chrono::seconds(600)
-                                                  : Connection::default_timeout;
+        const auto timeout =
+            request.id().empty() ? std::chrono::seconds(600) : Connection::default_timeout;
         const auto response = server.call(&Admin::Backup, request, timeout);
         if (!response.ok()) return failed(server_error(response.error()));
         if (response->data().empty()) break;
@@ -290,12 +291,12 @@ Outcome backup(Connection& server, const CommandArguments& arguments) {
     if (!report->errors.empty())
         return failed({.error = "the backup is damaged: " + report->errors.front()});
     if (std::rename(part.c_str(), arguments.file.c_str()) != 0) return failed(cannot_write());
-    return {.text = arguments.json ? report_json(*report)
-                                   : arguments.file + " is a backup of " +
-                                         count_text(static_cast<std::uint32_t>(
-                                                        report->worlds.size()),
-                                                    "world") +
-                                         "\n" + report_text(*report)};
+    return {.text =
+                arguments.json
+                    ? report_json(*report)
+                    : arguments.file + " is a backup of " +
+                          count_text(static_cast<std::uint32_t>(report->worlds.size()), "world") +
+                          "\n" + report_text(*report)};
 }
 
 Outcome verify(const CommandArguments& arguments) {
@@ -316,8 +317,8 @@ Outcome restore(const CommandArguments& arguments) {
         nlohmann::json json = {{"database", arguments.database}, {"renamed", *renamed}};
         return {.text = json.dump(2) + "\n"};
     }
-    std::string text = arguments.database + " is restored from " + arguments.file +
-                       "; start the server with it\n";
+    std::string text =
+        arguments.database + " is restored from " + arguments.file + "; start the server with it\n";
     for (const std::string& name : *renamed) text += "  a file so far is now " + name + "\n";
     return {.text = text};
 }

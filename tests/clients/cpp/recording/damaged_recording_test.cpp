@@ -120,7 +120,8 @@ TEST(DamagedRecording, shows_the_rest_after_damage_in_the_middle) {
     std::string damaged = file;
     damaged.replace(places[hit], 200, std::string(200, '\x5a'));  // destroys lengths as well
     const auto lost = static_cast<std::uint64_t>(
-        std::ranges::upper_bound(places, places[hit] + 199) - places.begin()) - hit;
+                          std::ranges::upper_bound(places, places[hit] + 199) - places.begin()) -
+                      hit;
     const auto count = [](const RecordingSummary& summary) {
         std::uint64_t all = 0;
         for (const auto& [kind, messages] : summary.messages) all += messages;

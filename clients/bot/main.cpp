@@ -10,6 +10,7 @@
 #include <string>
 #include <thread>
 
+#include "base/command_line/command_line.h"
 #include "clients/bot/bot.h"
 #include "clients/cpp/cli/security_flags.h"
 
@@ -185,11 +186,8 @@ int main(int argc, char** argv) {
     app.add_flag("--datagrams", flags.datagrams,
                  "Receive snapshots as datagrams if the server supports them");
     app.footer(footer);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
+    if (const auto status = jostle::parse_command_line(app, "jostle-bot", argc, argv))
+        return *status;
     const auto script = jostle::bot::script_or_default(flags.script);
     if (!script.ok()) {
         std::fprintf(stderr, "jostle-bot: %s\n", script.error().message.c_str());

@@ -315,6 +315,9 @@ Result<SceneDescription> load_scene(const std::string& name_or_path) {
     const bool looks_like_path =
         name_or_path.find('/') != std::string::npos || name_or_path.find('.') != std::string::npos;
     if (looks_like_path) return read_scene_file(name_or_path);
+    const std::string near = scene_suggestion(name_or_path);
+    if (!near.empty())
+        return Error{ErrorCode::not_found, "unknown scene \"" + name_or_path + "\"" + near};
     std::string names;
     for (const CatalogEntry& entry : catalog())
         names += (names.empty() ? "" : ", ") + std::string(entry.name);

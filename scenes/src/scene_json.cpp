@@ -9,6 +9,7 @@
 #include <set>
 #include <vector>
 
+#include "jostle/base/nearest_name.h"
 #include "scenes/src/json_path.h"
 
 namespace jostle::scenes {
@@ -19,23 +20,6 @@ using nlohmann::json;
 
 namespace {
 
-// Edit distance, for suggestions.
-std::size_t distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    for (std::size_t k = 0; k <= b.size(); k++) row[k] = k;
-    for (std::size_t i = 1; i <= a.size(); i++) {
-        std::size_t diagonal = row[0];
-        row[0] = i;
-        for (std::size_t k = 1; k <= b.size(); k++) {
-            const std::size_t above = row[k];
-            row[k] =
-                std::min({row[k] + 1, row[k - 1] + 1, diagonal + (a[i - 1] != b[k - 1] ? 1 : 0)});
-            diagonal = above;
-        }
-    }
-    return row[b.size()];
-}
-
 std::string fields_of(const Descriptor& message) {
     std::string names;
     for (int i = 0; i < message.field_count(); i++)
@@ -44,17 +28,10 @@ std::string fields_of(const Descriptor& message) {
 }
 
 std::string suggestion(const Descriptor& message, const std::string& wrong) {
-    std::string best;
-    std::size_t nearest = 3;
-    for (int i = 0; i < message.field_count(); i++) {
-        const std::size_t d = distance(message.field(i)->name(), wrong);
-        if (d < nearest) {
-            nearest = d;
-            best = message.field(i)->name();
-        }
-    }
-    if (!best.empty()) return "did you mean \"" + best + "\"?";
-    return "must be one of " + fields_of(message);
+    std::vector<std::string> names;
+    for (int i = 0; i < message.field_count(); i++) names.push_back(message.field(i)->name());
+    const std::string near = did_you_mean(wrong, names);
+    return near.empty() ? "; must be one of " + fields_of(message) : near;
 }
 
 std::string error_at(std::string_view text, const JsonPath& path, const std::string& what) {
@@ -117,7 +94,7 @@ public:
             path_.push_back({.key = key});
             const FieldDescriptor* field = message.FindFieldByName(key);
             if (!field) field = message.FindFieldByCamelcaseName(key);
-            if (!field) return error("unknown field; " + suggestion(message, key));
+            if (!field) return error("unknown field" + suggestion(message, key));
             if (!seen_numbers.insert(field->number()).second)
                 return error("is a duplicate in another spelling; remove one of them");
             const auto* choice = field->real_containing_oneof();

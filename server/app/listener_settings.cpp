@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/app/listener_settings.h"
 
+#include <spdlog/fmt/fmt.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -123,6 +124,22 @@ std::filesystem::path find_web_root(const std::string& configured) {
          {prefix.parent_path().parent_path() / configured, prefix / "share" / "jostle" / "web"})
         if (std::filesystem::exists(candidate, error)) return candidate;
     return configured;
+}
+
+Status check_web_root(const Config& config) {
+    const std::string& configured = config.web_root;
+    if (configured == Config{}.web_root || config.http.empty()) return {};
+    std::error_code error;
+    const std::filesystem::path folder = find_web_root(configured);
+    if (std::filesystem::is_regular_file(folder / "index.html", error)) return {};
+    const char* const reason = std::filesystem::is_directory(folder, error)
+                                   ? "contains no index.html"
+                                   : "is not a directory";
+    return Error{
+        ErrorCode::invalid_argument,
+        fmt::format("web_root: \"{}\" {}; it must be a directory with the built viewer, such "
+                    "as clients/web/dist",
+                    folder.string(), reason)};
 }
 
 std::string reachable_host(const std::string& host, const std::string& advertised_host) {

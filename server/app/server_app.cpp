@@ -313,6 +313,7 @@ ServerApp::ServerApp(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 ServerApp::~ServerApp() = default;
 
 Result<std::unique_ptr<ServerApp>> ServerApp::start(Config config, const Options& options) {
+    if (Status s = check_web_root(config); !s.ok()) return s.error();
     auto impl = std::make_unique<Impl>(std::move(config), options);
     if (Status s = impl->start(); !s.ok()) return s.error();
     return std::unique_ptr<ServerApp>(new ServerApp(std::move(impl)));

@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "base/command_line/command_line.h"
 #include "clients/cpp/cli/security_flags.h"
 #include "tools/ctl/commands.h"
 
@@ -177,12 +178,8 @@ int main(int argc, char** argv) {
     add_world_commands(app, flags);
     add_client_commands(app, flags);
     app.require_subcommand(1);
-    app.set_version_flag("--version", "jostlectl " JOSTLE_VERSION, "Print the version and exit");
     app.footer(footer);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
+    if (const auto status = jostle::parse_command_line(app, "jostlectl", argc, argv))
+        return *status;
     return run(flags);
 }

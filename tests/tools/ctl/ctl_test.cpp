@@ -57,6 +57,23 @@ private:
     std::filesystem::path folder_;
 };
 
+TEST_F(CtlTest, suggests_the_nearest_command_flag_and_scene) {
+    EXPECT_EQ(run("wrolds"), 2);
+    EXPECT_TRUE(complains("jostlectl: unknown command \"wrolds\"; did you mean \"worlds\"?"))
+        << err;
+    EXPECT_EQ(run("world crate x"), 2);
+    EXPECT_TRUE(complains("jostlectl world: unknown command \"crate\"; did you mean \"create\"?"))
+        << err;
+    EXPECT_EQ(run("world create x --scen stack"), 2);
+    EXPECT_TRUE(complains("unknown flag \"--scen\"; did you mean \"--scene\"?")) << err;
+    EXPECT_EQ(run("worlds --jsn"), 2);
+    EXPECT_TRUE(complains("did you mean \"--json\"?")) << err;
+    EXPECT_EQ(run("worlds --quite-different"), 2);
+    EXPECT_TRUE(complains("jostlectl worlds: unknown flag \"--quite-different\"\n")) << err;
+    EXPECT_EQ(run("world create x --scene domino"), 1);
+    EXPECT_TRUE(complains("there is no scene \"domino\"; did you mean \"dominoes\"?")) << err;
+}
+
 TEST_F(CtlTest, lists_creates_and_deletes_worlds) {
     ASSERT_EQ(run("worlds"), 0) << err;
     EXPECT_TRUE(says("ID  NAME") || says("ID           NAME")) << out;

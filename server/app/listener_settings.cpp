@@ -61,6 +61,7 @@ GrpcSettings grpc_settings(const Config& config, Metrics& metrics,
             .port = address.port,
             .network_threads = config.network_threads,
             .certificates = certificates,
+            .message_bytes_max = config.scene.request_bytes_max,
             .connections = connection_limits(config.connection),
             .relay = {.buffered_bytes_max = config.connection.buffered_bytes_max,
                       .buffered_total_max = config.connection.buffered_total_bytes_max},
@@ -77,6 +78,9 @@ HttpServerSettings http_settings(const Config& config, Metrics& metrics,
             .metrics = &metrics.listener(Listener::http),
             .certificates = certificates,
             .per_address_max = static_cast<std::size_t>(config.connection.per_address_max),
+            .body_bytes_max = static_cast<std::size_t>(config.scene.request_bytes_max),
+            // One large scene beside requests of common size.
+            .bodies_bytes_max = config.scene.request_bytes_max + 16e6,
             .message_bytes_max = static_cast<std::size_t>(config.client.message_bytes_max)};
 }
 

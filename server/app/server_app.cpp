@@ -218,7 +218,8 @@ void ServerApp::Impl::create_services() {
 }
 
 Status ServerApp::Impl::start_listeners() {
-    std::vector<CallMethod> methods = world_methods(*world_control_, *worlds_);
+    std::vector<CallMethod> methods = world_methods(
+        *world_control_, *worlds_, static_cast<std::size_t>(config_.scene.request_bytes_max));
     std::ranges::move(query_methods(*query_control_, *worlds_), std::back_inserter(methods));
     std::ranges::move(admin_methods(*admin_control_, *worlds_), std::back_inserter(methods));
     ASSERT(world_control_ && query_control_ && admin_control_ && http_routes_);

@@ -90,6 +90,7 @@ Setters setters_of(Config& c) {
         {"connection.idle_timeout_seconds", into(c.connection.idle_timeout_seconds)},
         {"scene.joints_max", into(c.scene.joints_max)},
         {"scene.joints_per_pair_max", into(c.scene.joints_per_pair_max)},
+        {"scene.request_bytes_max", into(c.scene.request_bytes_max)},
         {"scene.geometry_bytes_max", into(c.scene.geometry_bytes_max)},
         {"scene.body_geometry_bytes_max", into(c.scene.body_geometry_bytes_max)},
         {"scene.work_per_second_max", into(c.scene.work_per_second_max)},

@@ -102,6 +102,15 @@ private:
     std::vector<std::size_t> reported_;  // per bot
 };
 
+// A client without TLS at a port with TLS, or the reverse, fails with errors of the transport.
+std::string tls_hint(const jostle::client::Security& security) {
+    return security.tls
+               ? "\n  Check that the server uses TLS and that --ca contains its CA; without "
+                 "TLS, omit --tls, --ca and --cert."
+               : "\n  Check that jostle-server is running and that --server is its gRPC "
+                 "address. If the server uses TLS, use --tls or --ca FILE.";
+}
+
 int play(const Flags& flags, const jostle::client::Security& security,
          const jostle::bot::Script& script) {
     jostle::client::Loop loop;
@@ -142,7 +151,8 @@ int play(const Flags& flags, const jostle::client::Security& security,
                 if (!stats.connected && stats.last_error != last_error) {
                     last_error = stats.last_error;
                     if (!last_error.empty())
-                        std::fprintf(stderr, "\njostle-bot: %s\n", last_error.c_str());
+                        std::fprintf(stderr, "\njostle-bot: %s%s\n", last_error.c_str(),
+                                     stats.snapshots == 0 ? tls_hint(security).c_str() : "");
                 }
             }
             if (live)

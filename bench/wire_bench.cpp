@@ -136,7 +136,8 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1, 2).description(""));
     app.add_option("--json", flags.json, "Write the results as JSON")->type_name("FILE");
     app.footer(footer);
-    if (const auto status = jostle::parse_command_line(app, "wire-bench", argc, argv))
+    if (const auto status =
+            jostle::parse_command_line(app, {"wire-bench", JOSTLE_VERSION}, argc, argv))
         return *status;
     return run(flags);
 }

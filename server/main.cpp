@@ -112,7 +112,8 @@ int main(int argc, char** argv) {
     CLI::App app{"Host physics worlds and stream them to players, bots and browsers."};
     Flags flags;
     add_flags(app, flags);
-    if (const auto status = jostle::parse_command_line(app, "jostle-server", argc, argv))
+    if (const auto status =
+            jostle::parse_command_line(app, {"jostle-server", JOSTLE_VERSION}, argc, argv))
         return *status;
     if (flags.list_scenes) {
         for (const auto& scene : jostle::scenes::catalog())

@@ -2,7 +2,7 @@
 //
 // Parses the command line of a program: --version, exit statuses, and errors that suggest the
 // nearest flag or subcommand. Included by the main source of each program only, because CLI11 is
-// slow to compile. JOSTLE_VERSION is set by jostle_program() (cmake/compile_flags.cmake).
+// slow to compile.
 #pragma once
 
 #include <CLI/CLI.hpp>
@@ -15,6 +15,10 @@
 #include "jostle/base/nearest_name.h"
 
 namespace jostle {
+
+struct Program {
+    std::string name, version;  // JOSTLE_VERSION, which jostle_program() of CMake defines
+};
 
 // The subcommand that the arguments have selected so far.
 inline const CLI::App& innermost_command(const CLI::App& app) {
@@ -47,16 +51,16 @@ inline std::string unknown_argument(const CLI::App& command, const std::string& 
 
 // Returns the exit status if the program has to end: 0 after --help and --version, 2 for a wrong
 // command line.
-inline std::optional<int> parse_command_line(CLI::App& app, const char* program, int argc,
+inline std::optional<int> parse_command_line(CLI::App& app, const Program& program, int argc,
                                              char** argv) {
-    app.set_version_flag("--version", std::string(program) + " " JOSTLE_VERSION,
+    app.set_version_flag("--version", program.name + " " + program.version,
                          "Print the version and exit");
     try {
         app.parse(argc, argv);
     } catch (const CLI::ParseError& error) {
         const std::vector<std::string> left = app.remaining(true);
         if (error.get_exit_code() == 0 || left.empty()) return app.exit(error) == 0 ? 0 : 2;
-        std::string path = program;
+        std::string path = program.name;
         const CLI::App& command = innermost_command(app);
         for (const CLI::App* at = &app; at != &command; path += " " + at->get_name())
             at = at->get_subcommands().front();

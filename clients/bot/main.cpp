@@ -196,7 +196,8 @@ int main(int argc, char** argv) {
     app.add_flag("--datagrams", flags.datagrams,
                  "Receive snapshots as datagrams if the server supports them");
     app.footer(footer);
-    if (const auto status = jostle::parse_command_line(app, "jostle-bot", argc, argv))
+    if (const auto status =
+            jostle::parse_command_line(app, {"jostle-bot", JOSTLE_VERSION}, argc, argv))
         return *status;
     const auto script = jostle::bot::script_or_default(flags.script);
     if (!script.ok()) {

@@ -103,7 +103,8 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}));
     app.add_flag("--twice", flags.twice, "Run twice; both runs must give the same fingerprint");
     app.footer(footer);
-    if (const auto status = jostle::parse_command_line(app, "jostle-simulation", argc, argv))
+    if (const auto status =
+            jostle::parse_command_line(app, {"jostle-simulation", JOSTLE_VERSION}, argc, argv))
         return *status;
     spdlog::set_level(spdlog::level::off);
     google::protobuf::SetLogHandler(nullptr);  // hostile clients provoke messages

@@ -179,7 +179,8 @@ int main(int argc, char** argv) {
     add_client_commands(app, flags);
     app.require_subcommand(1);
     app.footer(footer);
-    if (const auto status = jostle::parse_command_line(app, "jostlectl", argc, argv))
+    if (const auto status =
+            jostle::parse_command_line(app, {"jostlectl", JOSTLE_VERSION}, argc, argv))
         return *status;
     return run(flags);
 }

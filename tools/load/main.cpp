@@ -201,7 +201,8 @@ int main(int argc, char** argv) {
     CLI::App app{"Load a Jostle server with many clients and report latency and bandwidth."};
     Flags flags;
     add_flags(app, flags);
-    if (const auto status = jostle::parse_command_line(app, "jostle-load", argc, argv))
+    if (const auto status =
+            jostle::parse_command_line(app, {"jostle-load", JOSTLE_VERSION}, argc, argv))
         return *status;
     if (const auto status = finish(flags); !status.ok()) return fail(status.error().message);
     std::signal(SIGINT, [](int) { stop = true; });

@@ -26,7 +26,8 @@ int main(int argc, char** argv) {
     int status = 0;
     jostle::mesh::add_decompose(app, status);
     jostle::mesh::add_fracture(app, status);
-    if (const auto status = jostle::parse_command_line(app, "jostle-mesh", argc, argv))
+    if (const auto status =
+            jostle::parse_command_line(app, {"jostle-mesh", JOSTLE_VERSION}, argc, argv))
         return *status;
     return status;
 }

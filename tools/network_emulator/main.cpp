@@ -108,7 +108,8 @@ int main(int argc, char** argv) {
     app.add_option("--seed", conditions.seed, "Seed of the random number generator [default: 1]")
         ->type_name("N");
     app.footer(footer);
-    if (const auto status = jostle::parse_command_line(app, "jostle-netem", argc, argv))
+    if (const auto status =
+            jostle::parse_command_line(app, {"jostle-netem", JOSTLE_VERSION}, argc, argv))
         return *status;
     std::signal(SIGINT, [](int) { stop = true; });
     std::signal(SIGTERM, [](int) { stop = true; });

@@ -130,7 +130,8 @@ int main(int argc, char** argv) {
     CLI::App app{"Record the stream of a world of a Jostle server."};
     Flags flags;
     add_flags(app, flags);
-    if (const auto status = jostle::parse_command_line(app, "jostle-record", argc, argv))
+    if (const auto status =
+            jostle::parse_command_line(app, {"jostle-record", JOSTLE_VERSION}, argc, argv))
         return *status;
     const auto fail = [](int status, const std::string& message) {
         std::fprintf(stderr, "jostle-record: %s\n", message.c_str());

@@ -247,7 +247,8 @@ int main(int argc, char** argv) {
         ->excludes(every);
     app.add_flag("--json", flags.json, "Print JSON");
     app.footer(footer);
-    if (const auto status = jostle::parse_command_line(app, "jostle-replay", argc, argv))
+    if (const auto status =
+            jostle::parse_command_line(app, {"jostle-replay", JOSTLE_VERSION}, argc, argv))
         return *status;
     return flags.world ? run_database(flags) : run_recording(flags);
 }

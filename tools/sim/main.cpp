@@ -437,7 +437,8 @@ int main(int argc, char** argv) {
         "Run a scene offline as fast as possible and report its cost and its final state."};
     Flags flags;
     add_flags(app, flags);
-    if (const auto status = jostle::parse_command_line(app, "jostle-sim", argc, argv))
+    if (const auto status =
+            jostle::parse_command_line(app, {"jostle-sim", JOSTLE_VERSION}, argc, argv))
         return *status;
     if (flags.list) {
         for (const auto& scene : jostle::scenes::catalog())

@@ -11,7 +11,8 @@ namespace jostle::bench {
 namespace {
 
 Error unknown_scene(const std::string& name) {
-    std::string message = "unknown scene \"" + name + "\"; must be one of";
+    std::string message =
+        "unknown scene \"" + name + "\"" + scenes::scene_suggestion(name) + "; must be one of";
     for (const auto& entry : scenes::catalog()) message += " " + std::string(entry.name);
     return {ErrorCode::not_found, message};
 }

@@ -4,6 +4,7 @@
 // callback that sets the exit status.
 #include <CLI/CLI.hpp>
 
+#include "base/command_line/command_line.h"
 #include "bench/subcommands.h"
 
 namespace {
@@ -49,10 +50,8 @@ int main(int argc, char** argv) {
     jostle::bench::add_stream(app, status);
     jostle::bench::add_threads(app, status);
     app.footer(footer);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
+    if (const auto status =
+            jostle::parse_command_line(app, {"jostle-bench", JOSTLE_VERSION}, argc, argv))
+        return *status;
     return status;
 }

@@ -7,6 +7,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "base/command_line/command_line.h"
 #include "bench/captured_scene.h"
 #include "bench/measure.h"
 #include "jostle/snapshot/frame_codec.h"
@@ -135,10 +136,8 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(1, 2).description(""));
     app.add_option("--json", flags.json, "Write the results as JSON")->type_name("FILE");
     app.footer(footer);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
+    if (const auto status =
+            jostle::parse_command_line(app, {"wire-bench", JOSTLE_VERSION}, argc, argv))
+        return *status;
     return run(flags);
 }

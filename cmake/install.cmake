@@ -5,6 +5,36 @@
 include(GNUInstallDirs)
 include(CMakePackageConfigHelpers)
 
+# jostle_build_before_install(COMPONENT TARGET...): the target installed_COMPONENT, which cmake --install builds first if
+# files are missing, because scripts/run builds the server and the bots before everything else.
+function(jostle_build_before_install component)
+    add_custom_target(installed_${component} DEPENDS ${ARGN})
+    set(files "")
+    foreach(target ${ARGN})
+        string(APPEND files " \"$<TARGET_FILE:${target}>\"")
+    endforeach()
+    install(CODE "
+        foreach(file ${files})
+            if(NOT EXISTS \"\${file}\")
+                message(STATUS \"Building what is not built yet\")
+                execute_process(COMMAND \"${CMAKE_COMMAND}\" --build \"${PROJECT_BINARY_DIR}\"
+                    --config \"\${CMAKE_INSTALL_CONFIG_NAME}\" --target installed_${component} COMMAND_ERROR_IS_FATAL ANY)
+                break()
+            endif()
+        endforeach()" COMPONENT ${component})
+endfunction()
+
+set(jostle_client_libraries jostle_snapshot jostle_datagram jostle_proto jostle_rpc jostle_client)
+set(jostle_programs jostle-server jostlectl jostle-bot jostle-load jostle-record jostle-replay jostle-sim jostle-mesh jostle-bench)
+if(JOSTLE_RPC)
+    jostle_build_before_install(dev jostle_physics ${jostle_modules} ${jostle_client_libraries})
+    if(JOSTLE_SERVER)
+        jostle_build_before_install(programs ${jostle_programs})
+    endif()
+else()
+    jostle_build_before_install(dev jostle_physics ${jostle_modules})
+endif()
+
 set(jostle_cmake_dir ${CMAKE_INSTALL_LIBDIR}/cmake/jostle)
 
 # jostle_install(SET TARGET... ): installs the libraries of one export set under their names without "jostle_".
@@ -28,7 +58,7 @@ foreach(module ${jostle_modules})
 endforeach()
 
 if(JOSTLE_RPC)
-    jostle_install(client jostle_snapshot jostle_datagram jostle_proto jostle_rpc jostle_client)
+    jostle_install(client ${jostle_client_libraries})
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/clients/cpp/core/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/proto/snapshot/include/ DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev)
     install(DIRECTORY ${PROJECT_BINARY_DIR}/proto/jostle DESTINATION ${CMAKE_INSTALL_INCLUDEDIR} COMPONENT dev
@@ -44,7 +74,9 @@ install(FILES ${PROJECT_BINARY_DIR}/jostleConfig.cmake ${PROJECT_BINARY_DIR}/jos
     DESTINATION ${jostle_cmake_dir} COMPONENT dev)
 
 if(JOSTLE_SERVER AND JOSTLE_RPC)
-    install(TARGETS jostle-server jostlectl jostle-bot jostle-load jostle-record jostle-replay jostle-sim jostle-mesh jostle-bench COMPONENT programs)
+    install(TARGETS ${jostle_programs} COMPONENT programs)
+    install(DIRECTORY ${PROJECT_SOURCE_DIR}/docs/man/ DESTINATION ${CMAKE_INSTALL_MANDIR}/man1 COMPONENT programs
+        FILES_MATCHING PATTERN "*.1")
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/clients/web/dist/ DESTINATION ${CMAKE_INSTALL_DATADIR}/jostle/web COMPONENT programs)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/clients/bot/scripts DESTINATION ${CMAKE_INSTALL_DATADIR}/jostle COMPONENT programs)
     install(FILES ${PROJECT_SOURCE_DIR}/server/jostle-server.toml ${PROJECT_SOURCE_DIR}/deploy/systemd/jostle-server.default

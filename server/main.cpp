@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <optional>
 
+#include "base/command_line/command_line.h"
 #include "jostle/scenes/catalog.h"
 #include "server/app/health_probe.h"
 #include "server/app/server_app.h"
@@ -91,8 +92,6 @@ void add_flags(CLI::App& app, Flags& flags) {
         ->group("Settings");
     app.add_flag("--health", flags.health,
                  "Check the server at --listen and --http; exit with 0 if it serves, else 1");
-    app.set_version_flag("--version", "jostle-server " JOSTLE_VERSION,
-                         "Print the version and exit");
     app.footer(examples);
 }
 
@@ -118,11 +117,9 @@ int main(int argc, char** argv) {
     CLI::App app{"Host physics worlds and stream them to players, bots and browsers."};
     Flags flags;
     add_flags(app, flags);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
+    if (const auto status =
+            jostle::parse_command_line(app, {"jostle-server", JOSTLE_VERSION}, argc, argv))
+        return *status;
     if (flags.list_scenes) {
         for (const auto& scene : jostle::scenes::catalog())
             std::printf("%-12.*s %.*s\n", static_cast<int>(scene.name.size()), scene.name.data(),

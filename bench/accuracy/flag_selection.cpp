@@ -8,6 +8,7 @@
 #include "bench/accuracy/accuracy_engine_kinds.h"
 #include "bench/accuracy/reference.h"
 #include "bench/measure.h"
+#include "jostle/base/nearest_name.h"
 
 namespace jostle::bench::accuracy {
 namespace {
@@ -35,7 +36,8 @@ std::string check_experiment(const std::string& name) {
     if (name == "all" || name == "none" || find_experiment(name)) return "";
     std::vector<std::string> known = {"all", "none"};
     for (const Experiment& experiment : all_experiments()) known.push_back(experiment.name);
-    return "unknown scene " + name + "; must be one of " + joined(known);
+    return "unknown scene " + name + did_you_mean(name, known) + "; must be one of " +
+           joined(known);
 }
 
 std::string check_peer(const std::string& name) {

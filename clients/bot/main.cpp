@@ -10,6 +10,7 @@
 #include <string>
 #include <thread>
 
+#include "base/command_line/command_line.h"
 #include "clients/bot/bot.h"
 #include "clients/cpp/cli/security_flags.h"
 
@@ -101,6 +102,15 @@ private:
     std::vector<std::size_t> reported_;  // per bot
 };
 
+// A client without TLS at a port with TLS, or the reverse, fails with errors of the transport.
+std::string tls_hint(const jostle::client::Security& security) {
+    return security.tls
+               ? "\n  Check that the server uses TLS and that --ca contains its CA; without "
+                 "TLS, omit --tls, --ca and --cert."
+               : "\n  Check that jostle-server is running and that --server is its gRPC "
+                 "address. If the server uses TLS, use --tls or --ca FILE.";
+}
+
 int play(const Flags& flags, const jostle::client::Security& security,
          const jostle::bot::Script& script) {
     jostle::client::Loop loop;
@@ -141,7 +151,8 @@ int play(const Flags& flags, const jostle::client::Security& security,
                 if (!stats.connected && stats.last_error != last_error) {
                     last_error = stats.last_error;
                     if (!last_error.empty())
-                        std::fprintf(stderr, "\njostle-bot: %s\n", last_error.c_str());
+                        std::fprintf(stderr, "\njostle-bot: %s%s\n", last_error.c_str(),
+                                     stats.snapshots == 0 ? tls_hint(security).c_str() : "");
                 }
             }
             if (live)
@@ -185,11 +196,9 @@ int main(int argc, char** argv) {
     app.add_flag("--datagrams", flags.datagrams,
                  "Receive snapshots as datagrams if the server supports them");
     app.footer(footer);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
+    if (const auto status =
+            jostle::parse_command_line(app, {"jostle-bot", JOSTLE_VERSION}, argc, argv))
+        return *status;
     const auto script = jostle::bot::script_or_default(flags.script);
     if (!script.ok()) {
         std::fprintf(stderr, "jostle-bot: %s\n", script.error().message.c_str());

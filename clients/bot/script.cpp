@@ -6,6 +6,8 @@
 #include <iterator>
 #include <sstream>
 
+#include "jostle/base/nearest_name.h"
+
 namespace jostle::bot {
 namespace {
 
@@ -44,8 +46,10 @@ Result<ScriptLine> parse_line(const std::string& text) {
         std::string names;
         for (const BehaviourSpec& k : behaviour_specs())
             names += std::string(names.empty() ? "" : ", ") + k.behaviour;
-        return invalid_argument("unknown behaviour \"" + line.behaviour + "\"; must be one of " +
-                                names);
+        std::vector<std::string> known;
+        for (const BehaviourSpec& k : behaviour_specs()) known.emplace_back(k.behaviour);
+        return invalid_argument("unknown behaviour \"" + line.behaviour + "\"" +
+                                did_you_mean(line.behaviour, known) + "; must be one of " + names);
     }
     line.values = behaviour->defaults;
     for (std::string word; words >> word;) {
@@ -64,7 +68,10 @@ Result<ScriptLine> parse_line(const std::string& text) {
         } else if (const auto slot = line.values.find(key); slot != line.values.end()) {
             slot->second = value;
         } else {
-            return invalid_argument(line.behaviour + ": unknown key \"" + key + "\"");
+            std::vector<std::string> keys = {"weight"};
+            for (const auto& [known, ignored] : line.values) keys.push_back(known);
+            return invalid_argument(line.behaviour + ": unknown key \"" + key + "\"" +
+                                    did_you_mean(key, keys));
         }
     }
     if (line.values.contains("period") && line.values["period"] < 0.05)

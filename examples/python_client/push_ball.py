@@ -57,8 +57,7 @@ class Player:
         elif kind == "snapshot":
             for result in message.snapshot.client_update.results:
                 self.results[result.sequence] = result
-            # The server sends at most 30 snapshots that are not acknowledged. This client does not decode their poses
-            # (proto/WIRE.md describes the bytes).
+            # The server sends at most 30 snapshots that are not acknowledged. positions.py decodes their poses.
             self.send(ack=play_pb2.Ack(frame=message.snapshot.frame))
         elif kind == "notice":
             self.error = message.notice.message

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "jostle/base/nearest_name.h"
 #include "scenes/src/scene_helpers.h"
 
 namespace jostle::scenes {
@@ -137,6 +138,12 @@ constexpr auto entries = [] {
 
 std::span<const CatalogEntry> catalog() {
     return entries;
+}
+
+std::string scene_suggestion(std::string_view wrong) {
+    std::vector<std::string_view> names;
+    for (const CatalogEntry& entry : catalog()) names.push_back(entry.name);
+    return did_you_mean(wrong, names);
 }
 
 std::optional<SceneDescription> find_scene(std::string_view name) {

@@ -20,7 +20,7 @@ std::string text_of(double x) {
 }  // namespace
 
 void FieldReader::report_error(const std::string& path, std::string what) {
-    if (!error_) error_ = {path, std::move(what)};
+    if (!full()) errors_.push_back({path, std::move(what)});
 }
 
 double FieldReader::number(const std::string& path, double x, double low, double high) {

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cctype>
+#include <optional>
 
 namespace jostle::scenes {
 
@@ -37,13 +38,12 @@ class Locator {
 public:
     explicit Locator(std::string_view text) : text_(text) {}
 
-    // Returns the line of the value, 0 if it does not exist.
-    int find(const JsonPath& path) {
+    // Returns the offset of the value.
+    std::optional<std::size_t> find(const JsonPath& path) {
         skip_space();
         for (const JsonPathStep& step : path)
-            if (!(step.in_list ? enter_item(step.index) : enter_key(step.key))) return 0;
-        return 1 + static_cast<int>(std::count(
-                       text_.begin(), text_.begin() + static_cast<std::ptrdiff_t>(at_), '\n'));
+            if (!(step.in_list ? enter_item(step.index) : enter_key(step.key))) return std::nullopt;
+        return std::min(at_, text_.size());
     }
 
 private:
@@ -149,8 +149,13 @@ JsonPath parse_json_path(std::string_view path) {
     return result;
 }
 
-int line_of(std::string_view text, const JsonPath& path) {
-    return Locator(text).find(path);
+std::string position_of(std::string_view text, const JsonPath& path) {
+    const std::optional<std::size_t> at = Locator(text).find(path);
+    if (!at) return {};
+    const std::string_view before = text.substr(0, *at);
+    const auto line = 1 + std::count(before.begin(), before.end(), '\n');
+    const std::size_t column = *at - (before.rfind('\n') + 1) + 1;  // npos + 1 is 0
+    return "line " + std::to_string(line) + ", column " + std::to_string(column) + ": ";
 }
 
 }  // namespace jostle::scenes

@@ -24,8 +24,8 @@ std::string to_text(const JsonPath& path);
 // The inverse, for trusted paths: field names and list indices.
 JsonPath parse_json_path(std::string_view path);
 
-// Returns the line (from 1) on which the value begins, under its own name or the camelCase form; 0
-// if the text, which must be well-formed JSON, has no such value.
-int line_of(std::string_view text, const JsonPath& path);
+// Returns "line 3, column 5: ", where the value begins (from 1, columns in bytes), under its own
+// name or the camelCase form; empty if the text, which must be well-formed JSON, has no such value.
+std::string position_of(std::string_view text, const JsonPath& path);
 
 }  // namespace jostle::scenes

@@ -8,10 +8,12 @@
 #include <google/protobuf/util/type_resolver.h>
 #include <google/protobuf/util/type_resolver_util.h>
 
+#include <algorithm>
 #include <cstdio>
 #include <fstream>
 #include <iterator>
 #include <memory>
+#include <sstream>
 
 #include "jostle/physics/limits.h"
 #include "jostle/scenes/catalog.h"
@@ -39,7 +41,7 @@ constexpr std::size_t description_bytes_max = 1000;
 constexpr std::uint32_t repeat_max = 100000;
 constexpr std::size_t file_bytes_max = 64u << 20;
 
-// Reads one message and stores the first error.
+// Reads one message and stores its errors.
 class Reader : public FieldReader {
 public:
     SceneDescription scene(const v1::Scene& m) {
@@ -49,12 +51,22 @@ public:
         if (m.description().size() > description_bytes_max)
             report_error("description", "must be a string of at most 1000 bytes");
         world(out, m.world());
-        for (int i = 0; i < m.bodies_size() && !failed(); i++)
-            body(out, m.bodies(i), "bodies[" + std::to_string(i) + "]");
-        for (int i = 0; i < m.joints_size() && !failed(); i++)
-            read_joint(*this, out, "joints[" + std::to_string(i) + "]", m.joints(i));
-        for (int i = 0; i < m.modules_size() && !failed(); i++)
-            read_module(*this, out, "modules[" + std::to_string(i) + "]", m.modules(i));
+        const auto each = [&](int count, const auto& read) {
+            for (int i = 0; i < count && !full(); i++) {
+                begin_item();
+                read(i, "[" + std::to_string(i) + "]");
+            }
+        };
+        each(m.bodies_size(),
+             [&](int i, const std::string& at) { body(out, m.bodies(i), "bodies" + at); });
+        // Joints and modules name bodies, of which those with errors are missing.
+        if (!errors().empty()) return out;
+        each(m.joints_size(), [&](int i, const std::string& at) {
+            read_joint(*this, out, "joints" + at, m.joints(i));
+        });
+        each(m.modules_size(), [&](int i, const std::string& at) {
+            read_module(*this, out, "modules" + at, m.modules(i));
+        });
         return out;
     }
 
@@ -107,8 +119,9 @@ private:
     }
 
     void body(SceneDescription& scene, const v1::Body& m, const std::string& path) {
+        const std::size_t errors_before = errors().size();
         if (m.name().size() > name_bytes_max)
-            return report_error(path + ".name", "must be a string of at most 64 bytes");
+            report_error(path + ".name", "must be a string of at most 64 bytes");
         SceneBody out{.name = m.name(), .body = {}, .shapes = {}, .color = {}};
         switch (m.type()) {
             case v1::BODY_TYPE_STATIC:
@@ -153,8 +166,12 @@ private:
         if (static_cast<std::size_t>(m.shapes_size()) > shapes_max)
             report_error(path + ".shapes",
                          "has more than " + std::to_string(shapes_max) + " shapes");
-        for (int i = 0; i < m.shapes_size() && !failed(); i++)
+        const int shapes = std::min(m.shapes_size(), static_cast<int>(shapes_max));
+        for (int i = 0; i < shapes && !full(); i++) {
+            begin_item();
             shape(out, m.shapes(i), path + ".shapes[" + std::to_string(i) + "]");
+        }
+        begin_item_at(errors_before);
         add_copies(scene, out, m, path);
     }
 
@@ -221,25 +238,43 @@ void write_body(v1::Body& out, const SceneBody& body) {
 Result<SceneDescription> from_message(const v1::Scene& message) {
     Reader reader;
     SceneDescription scene = reader.scene(message);
-    if (reader.error()) return invalid_argument(reader.error()->path + ": " + reader.error()->what);
-    return scene;
+    if (reader.errors().empty()) return scene;
+    ErrorLines lines;
+    for (const FieldError& error : reader.errors()) lines.add(error.path + ": " + error.what);
+    return invalid_argument(lines.text());
+}
+
+Status read_json_message(std::string_view text, google::protobuf::Message& message) {
+    if (const auto errors = find_json_errors(text, *message.GetDescriptor()))
+        return invalid_argument(*errors);
+    google::protobuf::util::JsonParseOptions options;
+    options.ignore_unknown_fields = true;  // "$schema"; all others were found above
+    const auto parsed =
+        google::protobuf::util::JsonStringToMessage({text.data(), text.size()}, &message, options);
+    return parsed.ok() ? Status{} : invalid_argument(std::string(parsed.message()));
+}
+
+std::string with_positions(std::string_view text, const std::string& parent,
+                           const std::string& errors) {
+    std::istringstream lines(errors);
+    std::string out;
+    for (std::string line; std::getline(lines, line);) {
+        const std::string path = line.substr(0, line.find(": "));
+        const JsonPath steps = parse_json_path(parent + path);
+        const std::string position = position_of(text, steps);
+        out += (out.empty() ? "" : "\n") + position + (position.empty() ? "" : parent) + line;
+    }
+    return out;
 }
 
 Result<SceneDescription> read_scene_json(std::string_view text) {
     // The byte order mark that some editors write before UTF-8 text.
     if (text.substr(0, 3) == "\xef\xbb\xbf") text.remove_prefix(3);
-    if (const auto error = find_json_error(text, *v1::Scene::descriptor()))
-        return invalid_argument(*error);
     v1::Scene message;
-    const auto parsed =
-        google::protobuf::util::JsonStringToMessage({text.data(), text.size()}, &message);
-    if (!parsed.ok()) return invalid_argument(std::string(parsed.message()));
-    Reader reader;
-    SceneDescription scene = reader.scene(message);
-    if (!reader.error()) return scene;
-    const int line = line_of(text, parse_json_path(reader.error()->path));
-    return invalid_argument((line > 0 ? "line " + std::to_string(line) + ": " : std::string()) +
-                            reader.error()->path + ": " + reader.error()->what);
+    if (Status s = read_json_message(text, message); !s.ok()) return s.error();
+    Result<SceneDescription> scene = from_message(message);
+    if (scene.ok()) return scene;
+    return invalid_argument(with_positions(text, "", scene.error().message));
 }
 
 Result<SceneDescription> read_scene_file(const std::string& path) {
@@ -255,8 +290,11 @@ Result<SceneDescription> read_scene_file(const std::string& path) {
     }
     if (in.bad() || !in.eof()) return Error{ErrorCode::not_found, "cannot read scene file " + path};
     Result<SceneDescription> scene = read_scene_json(text);
-    if (!scene.ok()) return Error{scene.error().code, path + ": " + scene.error().message};
-    return scene;
+    if (scene.ok()) return scene;
+    std::string message = path + ": " + scene.error().message;
+    for (std::size_t at = 0; (at = message.find('\n', at)) != std::string::npos; at += path.size())
+        message.insert(at + 1, path + ": ");
+    return Error{scene.error().code, message};
 }
 
 v1::Scene to_message(const SceneDescription& scene) {
@@ -315,6 +353,9 @@ Result<SceneDescription> load_scene(const std::string& name_or_path) {
     const bool looks_like_path =
         name_or_path.find('/') != std::string::npos || name_or_path.find('.') != std::string::npos;
     if (looks_like_path) return read_scene_file(name_or_path);
+    const std::string near = scene_suggestion(name_or_path);
+    if (!near.empty())
+        return Error{ErrorCode::not_found, "unknown scene \"" + name_or_path + "\"" + near};
     std::string names;
     for (const CatalogEntry& entry : catalog())
         names += (names.empty() ? "" : ", ") + std::string(entry.name);

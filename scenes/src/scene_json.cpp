@@ -9,6 +9,8 @@
 #include <set>
 #include <vector>
 
+#include "jostle/base/nearest_name.h"
+#include "scenes/src/field_reader.h"
 #include "scenes/src/json_path.h"
 
 namespace jostle::scenes {
@@ -19,23 +21,6 @@ using nlohmann::json;
 
 namespace {
 
-// Edit distance, for suggestions.
-std::size_t distance(std::string_view a, std::string_view b) {
-    std::vector<std::size_t> row(b.size() + 1);
-    for (std::size_t k = 0; k <= b.size(); k++) row[k] = k;
-    for (std::size_t i = 1; i <= a.size(); i++) {
-        std::size_t diagonal = row[0];
-        row[0] = i;
-        for (std::size_t k = 1; k <= b.size(); k++) {
-            const std::size_t above = row[k];
-            row[k] =
-                std::min({row[k] + 1, row[k - 1] + 1, diagonal + (a[i - 1] != b[k - 1] ? 1 : 0)});
-            diagonal = above;
-        }
-    }
-    return row[b.size()];
-}
-
 std::string fields_of(const Descriptor& message) {
     std::string names;
     for (int i = 0; i < message.field_count(); i++)
@@ -44,23 +29,14 @@ std::string fields_of(const Descriptor& message) {
 }
 
 std::string suggestion(const Descriptor& message, const std::string& wrong) {
-    std::string best;
-    std::size_t nearest = 3;
-    for (int i = 0; i < message.field_count(); i++) {
-        const std::size_t d = distance(message.field(i)->name(), wrong);
-        if (d < nearest) {
-            nearest = d;
-            best = message.field(i)->name();
-        }
-    }
-    if (!best.empty()) return "did you mean \"" + best + "\"?";
-    return "must be one of " + fields_of(message);
+    std::vector<std::string> names;
+    for (int i = 0; i < message.field_count(); i++) names.push_back(message.field(i)->name());
+    const std::string near = did_you_mean(wrong, names);
+    return near.empty() ? "; must be one of " + fields_of(message) : near;
 }
 
 std::string error_at(std::string_view text, const JsonPath& path, const std::string& what) {
-    const int line = line_of(text, path);
-    return (line > 0 ? "line " + std::to_string(line) + ": " : std::string()) +
-           (path.empty() ? "scene" : to_text(path)) + ": " + what;
+    return position_of(text, path) + (path.empty() ? "scene" : to_text(path)) + ": " + what;
 }
 
 // Tracks the position of the parser in the text. It provides the position of a parse error and
@@ -109,78 +85,88 @@ class Walker {
 public:
     explicit Walker(std::string_view text) : text_(text) {}
 
-    std::optional<std::string> walk(const json& value, const Descriptor& message) {
+    void walk(const json& value, const Descriptor& message) {
         if (!value.is_object())
             return error(std::string("must be an object {...}, not ") + value.type_name());
         std::set<int> seen_numbers;  // numbers of fields, and of oneofs
         for (const auto& [key, inner] : value.items()) {
             path_.push_back({.key = key});
-            const FieldDescriptor* field = message.FindFieldByName(key);
-            if (!field) field = message.FindFieldByCamelcaseName(key);
-            if (!field) return error("unknown field; " + suggestion(message, key));
-            if (!seen_numbers.insert(field->number()).second)
-                return error("is a duplicate in another spelling; remove one of them");
-            const auto* choice = field->real_containing_oneof();
-            if (choice && !seen_numbers.insert(-1 - choice->index()).second)
-                return error("is a second " + choice->name() + "; only one is allowed");
-            if (auto found = check_field(inner, *field)) return found;
+            walk_field(key, inner, message, seen_numbers);
             path_.pop_back();
         }
-        return {};
     }
+    // One line per error; empty if there is none.
+    std::string errors() const { return errors_.text(); }
 
 private:
-    std::optional<std::string> error(const std::string& what) const {
-        return error_at(text_, path_, what);
+    void error(const std::string& what) {
+        if (!errors_.full()) errors_.add(error_at(text_, path_, what));
     }
 
-    std::optional<std::string> check_field(const json& value, const FieldDescriptor& field) {
+    void walk_field(const std::string& key, const json& value, const Descriptor& message,
+                    std::set<int>& seen_numbers) {
+        // Names the schema of the file, for editors.
+        if (key == "$schema" && message.full_name() == "jostle.v1.Scene") {
+            if (!value.is_string())
+                error(std::string("must be a string in quotes, not ") + value.type_name());
+            return;
+        }
+        const FieldDescriptor* field = message.FindFieldByName(key);
+        if (!field) field = message.FindFieldByCamelcaseName(key);
+        if (!field) return error("unknown field" + suggestion(message, key));
+        if (!seen_numbers.insert(field->number()).second)
+            return error("is a duplicate in another spelling; remove one of them");
+        const auto* choice = field->real_containing_oneof();
+        if (choice && !seen_numbers.insert(-1 - choice->index()).second)
+            return error("is a second " + choice->name() + "; only one is allowed");
+        check_field(value, *field);
+    }
+
+    void check_field(const json& value, const FieldDescriptor& field) {
         if (field.is_map()) return check_map(value, *field.message_type()->map_value());
         if (!field.is_repeated()) return check_value(value, field);
         if (!value.is_array())
             return error(std::string("must be a list [...], not ") + value.type_name());
-        for (std::size_t i = 0; i < value.size(); i++) {
+        for (std::size_t i = 0; i < value.size() && !errors_.full(); i++) {
             path_.push_back({.key = {}, .index = i, .in_list = true});
-            if (auto found = check_value(value[i], field)) return found;
+            check_value(value[i], field);
             path_.pop_back();
         }
-        return {};
     }
 
-    std::optional<std::string> check_map(const json& value, const FieldDescriptor& item) {
+    void check_map(const json& value, const FieldDescriptor& item) {
         if (!value.is_object())
             return error(std::string("must be an object {...}, not ") + value.type_name());
         for (const auto& [key, inner] : value.items()) {
             path_.push_back({.key = key});
-            if (auto found = check_value(inner, item)) return found;
+            check_value(inner, item);
             path_.pop_back();
         }
-        return {};
     }
 
-    std::optional<std::string> check_value(const json& value, const FieldDescriptor& field) {
+    void check_value(const json& value, const FieldDescriptor& field) {
         switch (field.cpp_type()) {
             case FieldDescriptor::CPPTYPE_MESSAGE:
                 return walk(value, *field.message_type());
             case FieldDescriptor::CPPTYPE_DOUBLE:
             case FieldDescriptor::CPPTYPE_FLOAT:
-                if (value.is_number()) return {};
+                if (value.is_number()) return;
                 return error(std::string("must be a number, not ") + value.type_name());
             case FieldDescriptor::CPPTYPE_BOOL:
-                if (value.is_boolean()) return {};
+                if (value.is_boolean()) return;
                 return error(std::string("must be true or false, not ") + value.type_name());
             case FieldDescriptor::CPPTYPE_STRING:
                 if (field.type() == FieldDescriptor::TYPE_BYTES && !is_base64(value))
                     return error("must be base64 bytes, a string in quotes");
-                if (value.is_string()) return {};
+                if (value.is_string()) return;
                 return error(std::string("must be a string in quotes, not ") + value.type_name());
             case FieldDescriptor::CPPTYPE_ENUM:
                 return check_enum(value, field);
             case FieldDescriptor::CPPTYPE_INT32:
-                if (is_whole(value, -2147483648.0, 2147483647.0)) return {};
+                if (is_whole(value, -2147483648.0, 2147483647.0)) return;
                 return error("must be an integer from -2147483648 to 2147483647");
             default:
-                if (is_whole(value, 0, 4294967295.0)) return {};
+                if (is_whole(value, 0, 4294967295.0)) return;
                 return error("must be an integer from 0 to 4294967295");
         }
     }
@@ -204,11 +190,11 @@ private:
         return x == std::floor(x) && low <= x && x <= high;
     }
 
-    std::optional<std::string> check_enum(const json& value, const FieldDescriptor& field) {
+    void check_enum(const json& value, const FieldDescriptor& field) {
         std::string names;
         for (int i = 1; i < field.enum_type()->value_count(); i++) {
             const auto& choice = *field.enum_type()->value(i);
-            if (value.is_string() && value.get<std::string>() == choice.name()) return {};
+            if (value.is_string() && value.get<std::string>() == choice.name()) return;
             // A second name of a number is an alias for older files: accepted, but not listed.
             if (field.enum_type()->FindValueByNumber(choice.number()) == &choice)
                 names += (names.empty() ? "" : ", ") + choice.name();
@@ -218,6 +204,7 @@ private:
 
     std::string_view text_;
     JsonPath path_;
+    ErrorLines errors_;
 };
 
 // Removes the prefix of nlohmann errors: "[json.exception.parse_error.101] parse error at line 3,
@@ -229,7 +216,7 @@ std::string without_prefix(const std::string& what) {
 
 }  // namespace
 
-std::optional<std::string> find_json_error(std::string_view text, const Descriptor& message) {
+std::optional<std::string> find_json_errors(std::string_view text, const Descriptor& message) {
     Follower follower;
     json parsed;
     try {
@@ -244,7 +231,10 @@ std::optional<std::string> find_json_error(std::string_view text, const Descript
     }
     if (follower.twice())
         return error_at(text, *follower.twice(), "is a duplicate; remove one of them");
-    return Walker(text).walk(parsed, message);
+    Walker walker(text);
+    walker.walk(parsed, message);
+    if (std::string errors = walker.errors(); !errors.empty()) return errors;
+    return std::nullopt;
 }
 
 }  // namespace jostle::scenes

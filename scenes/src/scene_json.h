@@ -14,9 +14,10 @@ class Descriptor;
 
 namespace jostle::scenes {
 
-// Returns the first unknown field or value of a wrong type in the text, such as "line 7:
-// bodies[2].shapes[0].radius: unknown field; did you mean ..."; nullopt if the text is valid.
-std::optional<std::string> find_json_error(std::string_view text,
-                                           const google::protobuf::Descriptor& message);
+// Returns the unknown fields and the values of a wrong type in the text, one a line, such as "line
+// 7, column 20: bodies[2].shapes[0].radius: unknown field; did you mean ..."; nullopt if the text
+// is valid. A scene may name its "$schema".
+std::optional<std::string> find_json_errors(std::string_view text,
+                                            const google::protobuf::Descriptor& message);
 
 }  // namespace jostle::scenes

@@ -323,7 +323,8 @@ Result<ShapeDef> shape_from_message(const v1::Shape& message, const std::string&
                      path + ".solid: is allowed only in scenes; use a hull or a compound"};
     ShapeDef def = read_shape(in, path, message);
     if (in.failed())
-        return Error{ErrorCode::invalid_argument, in.error()->path + ": " + in.error()->what};
+        return Error{ErrorCode::invalid_argument,
+                     in.errors().front().path + ": " + in.errors().front().what};
     return def;
 }
 

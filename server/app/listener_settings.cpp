@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/app/listener_settings.h"
 
+#include <spdlog/fmt/fmt.h>
 #include <sys/resource.h>
 #include <unistd.h>
 
@@ -65,6 +66,7 @@ GrpcSettings grpc_settings(const Config& config, Metrics& metrics,
             .port = address.port,
             .network_threads = config.network_threads,
             .certificates = certificates,
+            .message_bytes_max = config.scene.request_bytes_max,
             .connections = connection_limits(config.connection),
             .relay = {.buffered_bytes_max = config.connection.buffered_bytes_max,
                       .buffered_total_max = config.connection.buffered_total_bytes_max},
@@ -81,6 +83,9 @@ HttpServerSettings http_settings(const Config& config, Metrics& metrics,
             .metrics = &metrics.listener(Listener::http),
             .certificates = certificates,
             .per_address_max = static_cast<std::size_t>(config.connection.per_address_max),
+            .body_bytes_max = static_cast<std::size_t>(config.scene.request_bytes_max),
+            // One large scene beside requests of common size.
+            .bodies_bytes_max = config.scene.request_bytes_max + 16e6,
             .message_bytes_max = static_cast<std::size_t>(config.client.message_bytes_max)};
 }
 
@@ -128,6 +133,22 @@ std::filesystem::path find_web_root(const std::string& configured) {
          {prefix.parent_path().parent_path() / configured, prefix / "share" / "jostle" / "web"})
         if (std::filesystem::exists(candidate, error)) return candidate;
     return configured;
+}
+
+Status check_web_root(const Config& config) {
+    const std::string& configured = config.web_root;
+    if (configured == Config{}.web_root || config.http.empty()) return {};
+    std::error_code error;
+    const std::filesystem::path folder = find_web_root(configured);
+    if (std::filesystem::is_regular_file(folder / "index.html", error)) return {};
+    const char* const reason = std::filesystem::is_directory(folder, error)
+                                   ? "contains no index.html"
+                                   : "is not a directory";
+    return Error{
+        ErrorCode::invalid_argument,
+        fmt::format("web_root: \"{}\" {}; it must be a directory with the built viewer, such "
+                    "as clients/web/dist",
+                    folder.string(), reason)};
 }
 
 std::string reachable_host(const std::string& host, const std::string& advertised_host) {

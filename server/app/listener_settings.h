@@ -38,6 +38,8 @@ void raise_descriptor_limit();
 // folder, the same path in the source tree of the program or share/jostle/web of its installation
 // prefix.
 std::filesystem::path find_web_root(const std::string& configured);
+// Rejects a configured folder, other than the default, that is absent or contains no viewer.
+Status check_web_root(const Config& config);
 // The host name that clients use for a listener at `host`.
 std::string reachable_host(const std::string& host, const std::string& advertised_host);
 

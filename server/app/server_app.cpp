@@ -220,7 +220,8 @@ void ServerApp::Impl::create_services() {
 }
 
 Status ServerApp::Impl::start_listeners() {
-    std::vector<CallMethod> methods = world_methods(*world_control_, *worlds_);
+    std::vector<CallMethod> methods = world_methods(
+        *world_control_, *worlds_, static_cast<std::size_t>(config_.scene.request_bytes_max));
     std::ranges::move(query_methods(*query_control_, *worlds_), std::back_inserter(methods));
     std::ranges::move(admin_methods(*admin_control_, *worlds_), std::back_inserter(methods));
     ASSERT(world_control_ && query_control_ && admin_control_ && http_routes_);
@@ -328,6 +329,7 @@ ServerApp::ServerApp(std::unique_ptr<Impl> impl) : impl_(std::move(impl)) {}
 ServerApp::~ServerApp() = default;
 
 Result<std::unique_ptr<ServerApp>> ServerApp::start(Config config, const Options& options) {
+    if (Status s = check_web_root(config); !s.ok()) return s.error();
     auto impl = std::make_unique<Impl>(std::move(config), options);
     if (Status s = impl->start(); !s.ok()) return s.error();
     return std::unique_ptr<ServerApp>(new ServerApp(std::move(impl)));

@@ -24,8 +24,9 @@ public:
     };
 
     // Validates nothing: call check() and check_exposure() on the configuration first. Returns
-    // after every listener accepts connections and every world ticks. Errors: a scene, database,
-    // key or certificate file cannot be loaded, or a port cannot be bound.
+    // after every listener accepts connections and every world ticks. Errors: the configured
+    // web root contains no viewer, a scene, database, key or certificate file cannot be loaded, or
+    // a port cannot be bound.
     static Result<std::unique_ptr<ServerApp>> start(Config config, const Options& options);
     ~ServerApp();
     ServerApp(const ServerApp&) = delete;

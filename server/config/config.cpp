@@ -78,6 +78,7 @@ Status check(const Config& c) {
         {"connection.buffered_bytes_max", c.connection.buffered_bytes_max, 65536, 1e10},
         {"connection.buffered_total_bytes_max", c.connection.buffered_total_bytes_max, 65536, 1e11},
         {"connection.idle_timeout_seconds", c.connection.idle_timeout_seconds, 1, 86400},
+        {"scene.request_bytes_max", c.scene.request_bytes_max, 1 << 22, 1 << 27},
         {"scene.joints_max", c.scene.joints_max, 0, 10000000},
         {"scene.joints_per_pair_max", c.scene.joints_per_pair_max, 1, 10000000},
         {"scene.geometry_bytes_max", c.scene.geometry_bytes_max, 1024, 1e10},

@@ -53,6 +53,7 @@ struct WorldLimits {
 
 // Limits on the cost of a hosted scene (server/world/scene_budget.h defines each).
 struct SceneLimits {
+    int request_bytes_max = 32 << 20;  // of a scene that is created or exported
     int joints_max = 20000;
     int joints_per_pair_max = 64;
     double geometry_bytes_max = 32e6;

@@ -2,12 +2,16 @@
 #include "server/config/config_loader.h"
 
 #include <toml++/toml.h>
+#include <algorithm>
 #include <filesystem>
 #include <fstream>
 #include <functional>
 #include <iterator>
 #include <map>
 #include <sstream>
+#include <vector>
+
+#include "jostle/base/nearest_name.h"
 
 namespace jostle::server {
 
@@ -90,6 +94,7 @@ Setters setters_of(Config& c) {
         {"connection.idle_timeout_seconds", into(c.connection.idle_timeout_seconds)},
         {"scene.joints_max", into(c.scene.joints_max)},
         {"scene.joints_per_pair_max", into(c.scene.joints_per_pair_max)},
+        {"scene.request_bytes_max", into(c.scene.request_bytes_max)},
         {"scene.geometry_bytes_max", into(c.scene.geometry_bytes_max)},
         {"scene.body_geometry_bytes_max", into(c.scene.body_geometry_bytes_max)},
         {"scene.work_per_second_max", into(c.scene.work_per_second_max)},
@@ -149,17 +154,29 @@ std::string location_of(const std::string& name, const toml::source_region& sour
 
 Status apply_table(const Setters& setters, const toml::table& table, const std::string& prefix,
                    const std::string& name) {
+    std::vector<std::string> names, sections;
+    for (const auto& [setting, ignored] : setters) {
+        names.push_back(setting);
+        if (const std::size_t dot = setting.find('.'); dot != std::string::npos)
+            sections.push_back(setting.substr(0, dot));
+    }
     for (const auto& [key, node] : table) {
         const std::string path = prefix + std::string(key.str());
         if (const toml::table* inner = node.as_table(); inner && prefix.empty()) {
+            if (std::find(sections.begin(), sections.end(), path) == sections.end())
+                return Error{ErrorCode::invalid_argument,
+                             location_of(name, inner->source()) + "unknown section [" + path + "]" +
+                                 did_you_mean(path, sections) +
+                                 "; docs/reference/configuration.md lists the sections"};
             if (Status s = apply_table(setters, *inner, path + ".", name); !s.ok()) return s;
             continue;
         }
         const auto at = setters.find(path);
         if (at == setters.end())
             return Error{ErrorCode::invalid_argument,
-                         location_of(name, node.source()) + "unknown setting \"" + path +
-                             "\"; docs/reference/configuration.md lists the settings"};
+                         location_of(name, node.source()) + "unknown setting \"" + path + "\"" +
+                             did_you_mean(path, names) +
+                             "; docs/reference/configuration.md lists the settings"};
         if (!at->second(node))
             return Error{ErrorCode::invalid_argument, location_of(name, node.source()) + "\"" +
                                                           path +

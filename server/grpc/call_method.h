@@ -116,7 +116,9 @@ CallMethod world_method(std::string path, CallWork work, std::size_t request_byt
 
 // WorldService over gRPC: decodes requests, calls WorldControl, encodes responses. Any thread.
 // Both arguments must outlive the methods.
-std::vector<CallMethod> world_methods(WorldControl& control, const WorldDirectory& worlds);
+// `scene_bytes_max`: size of a request to create a world.
+std::vector<CallMethod> world_methods(WorldControl& control, const WorldDirectory& worlds,
+                                      std::size_t scene_bytes_max);
 
 // QueryService over gRPC: decodes requests, calls QueryControl, encodes responses. Any thread.
 // Both arguments must outlive the methods.

@@ -22,7 +22,6 @@ namespace {
 // long before.
 constexpr std::size_t buffers_max = 512u << 20;
 // Methods and play streams have lower limits of their own.
-constexpr int message_bytes_max = 4 * 1024 * 1024;
 constexpr int streams_per_connection_max = 100;
 constexpr int header_bytes_max = 8 * 1024;
 constexpr int handshake_ms = 5'000;  // from the connection to the first SETTINGS
@@ -41,7 +40,7 @@ void set_keepalive(grpc::ServerBuilder& builder) {
 
 void set_limits(grpc::ServerBuilder& builder, const GrpcSettings& settings) {
     builder.SetResourceQuota(grpc::ResourceQuota("jostle").Resize(buffers_max));
-    builder.SetMaxReceiveMessageSize(message_bytes_max);
+    builder.SetMaxReceiveMessageSize(settings.message_bytes_max);
     // A compressed request of a few bytes could expand to gigabytes, and small messages need no
     // compression.
     builder.AddChannelArgument(GRPC_COMPRESSION_CHANNEL_ENABLED_ALGORITHMS_BITSET,

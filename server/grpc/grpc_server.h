@@ -32,6 +32,7 @@ struct GrpcSettings {
     std::uint16_t port = 50051;  // 0: any free port
     int network_threads = 1;
     const CertificateStore* certificates = nullptr;  // null: no TLS; outlives the server
+    int message_bytes_max = 4 << 20;  // of a request; each method may have a smaller limit
     ConnectionTableLimits connections = {};
     RelayLimits relay = {};
     const ListenerMetrics* metrics = nullptr;  // null: no counting

@@ -8,7 +8,6 @@ namespace jostle::server {
 namespace {
 
 constexpr std::size_t small_request = 4096;
-constexpr std::size_t scene_request = 4 * 1024 * 1024;
 
 Status create(WorldControl& control, const CallContext& context,
               const v1::CreateWorldRequest& request, v1::CreateWorldResponse& response) {
@@ -25,7 +24,8 @@ Status create(WorldControl& control, const CallContext& context,
 
 }  // namespace
 
-std::vector<CallMethod> world_methods(WorldControl& control, const WorldDirectory& worlds) {
+std::vector<CallMethod> world_methods(WorldControl& control, const WorldDirectory& worlds,
+                                      std::size_t scene_bytes_max) {
     const std::string service = "/jostle.v1.WorldService/";
     return {
         unary_method<v1::ListWorldsRequest, v1::ListWorldsResponse>(
@@ -44,7 +44,7 @@ std::vector<CallMethod> world_methods(WorldControl& control, const WorldDirector
                 return control.join(request, response, context.who, context.address);
             }),
         unary_method<v1::CreateWorldRequest, v1::CreateWorldResponse>(
-            service + "CreateWorld", CallWork::control, scene_request,
+            service + "CreateWorld", CallWork::control, scene_bytes_max,
             [&](const CallContext& context, const auto& request, auto& response) {
                 Status done = create(control, context, request, response);
                 const v1::WorldInfo& created = response.world();

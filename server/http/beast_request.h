@@ -49,6 +49,7 @@ inline HttpRequest to_http_request(const BeastRequest& request) {
             .origin = header(field::origin),
             .content_type = header(field::content_type),
             .if_none_match = header(field::if_none_match),
+            .accept_encoding = header(field::accept_encoding),
             .authorization = header(field::authorization),
             .body = request.body()};
 }

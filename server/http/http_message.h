@@ -20,6 +20,7 @@ struct HttpRequest {
     std::string origin;  // the Origin header; empty if the request is not from a browser page
     std::string content_type;
     std::string if_none_match;
+    std::string accept_encoding;
     std::string authorization;
     std::string address;      // of the client, without the port
     std::string certificate;  // subject of a client certificate verified by TLS; empty: none

@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "jostle/base/check.h"
+#include "jostle/scenes/scene_file.h"
 #include "jostle/v1/query.pb.h"
 #include "jostle/v1/world.pb.h"
 #include "server/auth/allowed_hosts.h"
@@ -82,13 +83,16 @@ std::string_view host_of_origin(std::string_view origin) {
     return at == std::string_view::npos ? std::string_view{} : origin.substr(at + 3);
 }
 
+// HTML forms can send text from any page without a preflight request, but not JSON.
+std::optional<HttpResponse> wrong_content_type(const HttpRequest& request) {
+    if (request.content_type.starts_with("application/json")) return std::nullopt;
+    return plain_text(415, "Send the body as JSON, with Content-Type: application/json.\n");
+}
+
 // Decodes the JSON body of a request; returns an error response if it is invalid.
 std::optional<HttpResponse> read_json(google::protobuf::Message& message,
                                       const HttpRequest& request) {
-    // HTML forms can send text from any page without a preflight request, but not JSON.
-    if (!request.content_type.starts_with("application/json")) {
-        return plain_text(415, "Send the body as JSON, with Content-Type: application/json.\n");
-    }
+    if (auto refused = wrong_content_type(request)) return refused;
     const auto read = google::protobuf::util::JsonStringToMessage(request.body, &message);
     if (read.ok()) return std::nullopt;
     return to_http(Error{ErrorCode::invalid_argument,
@@ -254,9 +258,14 @@ HttpResponse HttpRoutes::get_world(const std::string& world) const {
 HttpResponse HttpRoutes::create_world(const HttpRequest& request,
                                       const RequestContext& context) const {
     v1::CreateWorldRequest message;
-    if (const auto refused = read_json(message, request)) return *refused;
+    if (const auto refused = wrong_content_type(request)) return *refused;
+    if (Status s = scenes::read_json_message(request.body, message); !s.ok())
+        return to_http(s.error());
     v1::CreateWorldResponse response;
-    const Status status = worlds_.create(message, response, context.who, context.address);
+    Status status = worlds_.create(message, response, context.who, context.address);
+    if (!status.ok() && message.has_scene())
+        status = Error{status.error().code,
+                       scenes::with_positions(request.body, "scene.", status.error().message)};
     const v1::WorldInfo& created = response.world();
     worlds_.authorizer().record(
         context.who,

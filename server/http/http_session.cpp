@@ -120,7 +120,10 @@ void HttpSession::on_header(beast::error_code error) {
     // Beast 1.74 has assertions on chunked bodies that a client can violate.
     if (parser_->chunked()) return refuse(411, "The Content-Length header is required.\n");
     const std::uint64_t length = parser_->content_length().value_or(0);
-    if (length > bytes_max) return refuse(413, "The request body is too large.\n");
+    if (length > bytes_max)
+        return refuse(413, "The request body has " + std::to_string(length) + " bytes; at most " +
+                               std::to_string(bytes_max) + " are allowed" +
+                               (large ? " (setting scene.request_bytes_max)" : "") + ".\n");
     if (length > 0 && !reserve_body(static_cast<std::size_t>(length)))
         return refuse(503, "Too many requests are being received; retry in 1 s.\n");
     read_body();

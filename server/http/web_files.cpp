@@ -3,6 +3,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <fstream>
@@ -41,8 +42,9 @@ HttpResponse plain(int status, std::string text) {
     return {.status = status, .headers = {}, .body = std::move(text)};
 }
 
-std::string etag_of(std::uintmax_t size, fs::file_time_type written) {
-    return fmt::format("\"{:x}-{:x}\"", size, written.time_since_epoch().count());
+std::string etag_of(std::uintmax_t size, fs::file_time_type written, std::string_view coding) {
+    return fmt::format("\"{:x}-{:x}{}{}\"", size, written.time_since_epoch().count(),
+                       coding.empty() ? "" : "-", coding);
 }
 
 // File names in assets/ contain a hash of their content, so these files never change; all other
@@ -51,7 +53,47 @@ std::string_view cache_control_of(std::string_view relative) {
     return relative.starts_with("assets/") ? "public, max-age=31536000, immutable" : "no-cache";
 }
 
+std::string_view trimmed(std::string_view text) {
+    const std::size_t begin = text.find_first_not_of(" \t");
+    if (begin == std::string_view::npos) return {};
+    return text.substr(begin, text.find_last_not_of(" \t") - begin + 1);
+}
+
+bool equal_ignoring_case(std::string_view a, std::string_view b) {
+    const auto lower = [](char c) { return c >= 'A' && c <= 'Z' ? static_cast<char>(c + 32) : c; };
+    return std::ranges::equal(a, b, {}, lower, lower);
+}
+
+// A weight of zero: "q=0" to "q=0.000".
+bool is_excluded(std::string_view parameters) {
+    const std::size_t equals = parameters.find('=');
+    if (equals == std::string_view::npos) return false;
+    if (!equal_ignoring_case(trimmed(parameters.substr(0, equals)), "q")) return false;
+    const std::string_view weight = trimmed(parameters.substr(equals + 1));
+    return !weight.empty() && weight.find_first_not_of("0.") == std::string_view::npos;
+}
+
+struct Coding {
+    std::string_view name, suffix;
+};
+constexpr std::array<Coding, 2> codings{{{"br", ".br"}, {"gzip", ".gz"}}};  // smallest first
+
 }  // namespace
+
+bool accepts_coding(std::string_view accept_encoding, std::string_view coding) {
+    bool any = false;
+    while (!accept_encoding.empty()) {
+        const std::size_t comma = std::min(accept_encoding.find(','), accept_encoding.size());
+        const std::string_view entry = accept_encoding.substr(0, comma);
+        accept_encoding.remove_prefix(std::min(comma + 1, accept_encoding.size()));
+        const std::size_t end = std::min(entry.find(';'), entry.size());
+        const std::string_view name = trimmed(entry.substr(0, end));
+        const bool excluded = is_excluded(end < entry.size() ? entry.substr(end + 1) : "");
+        if (equal_ignoring_case(name, coding)) return !excluded;
+        if (name == "*") any = !excluded;
+    }
+    return any;
+}
 
 std::optional<std::string> relative_path_of(std::string_view target) {
     const std::string_view path = path_of(target);
@@ -109,18 +151,33 @@ HttpResponse WebFiles::serve(const HttpRequest& request) const {
     if (relative->empty() || relative->ends_with('/')) *relative += "index.html";
 
     std::error_code error;
-    const fs::path file = fs::canonical(root_ / *relative, error);
+    fs::path file = fs::canonical(root_ / *relative, error);
     if (error || !is_inside(file, root_) || !fs::is_regular_file(file, error)) {
         if (*relative == "index.html") return page_without_viewer();
         return plain(404, "There is no such file.\n");
+    }
+    HttpResponse response;
+    response.content_type = content_type_of(file);
+    const std::string uncompressed = file.string();
+    std::string_view coding;
+    bool has_copies = false;
+    for (const Coding& known : codings) {
+        const fs::path copy = uncompressed + std::string(known.suffix);
+        std::error_code absent;
+        if (!fs::is_regular_file(fs::symlink_status(copy, absent))) continue;
+        has_copies = true;
+        if (!coding.empty() || !accepts_coding(request.accept_encoding, known.name)) continue;
+        coding = known.name;
+        file = copy;
     }
     const std::uintmax_t size = fs::file_size(file, error);
     if (error || size > file_bytes_max) return plain(404, "There is no such file.\n");
     const fs::file_time_type written = fs::last_write_time(file, error);
 
-    HttpResponse response;
-    response.content_type = content_type_of(file);
-    const std::string etag = etag_of(size, written);
+    // Caches store one copy for each encoding, also of a 304.
+    if (has_copies) response.headers.emplace_back("Vary", "Accept-Encoding");
+    if (!coding.empty()) response.headers.emplace_back("Content-Encoding", coding);
+    const std::string etag = etag_of(size, written, coding);
     response.headers.emplace_back("ETag", etag);
     response.headers.emplace_back("Cache-Control", cache_control_of(*relative));
     if (request.if_none_match == etag) {

@@ -17,7 +17,6 @@ namespace {
 constexpr std::size_t reason_bytes_max = 100;
 constexpr double ban_seconds_max = 10 * 365.0 * 86400;
 constexpr std::uint32_t steps_max = 1000;
-constexpr std::size_t export_bytes_max = 64u << 20;
 // Added to the time that the steps take at the world's rate.
 constexpr double step_timeout_s = 2;
 
@@ -245,13 +244,16 @@ Status AdminControl::rewind_world(const v1::RewindWorldRequest& request,
     return {};
 }
 
-Status AdminControl::write_export(ExportedScene exported, v1::ExportWorldResponse& response) {
+Status AdminControl::write_export(ExportedScene exported, v1::ExportWorldResponse& response) const {
     *response.mutable_scene() = scenes::to_message(exported.scene);
     for (std::string& sentence : exported.omitted) *response.add_omitted() = std::move(sentence);
-    if (const std::size_t bytes = response.ByteSizeLong(); bytes > export_bytes_max)
-        return Error{
-            ErrorCode::resource_exhausted,
-            fmt::format("the scene has {} bytes; at most {} can be sent", bytes, export_bytes_max)};
+    const auto bytes_max = static_cast<std::size_t>(context_.config.scene.request_bytes_max);
+    // A scene that could not be created again is not exported.
+    if (const std::size_t bytes = response.ByteSizeLong(); bytes > bytes_max)
+        return Error{ErrorCode::resource_exhausted,
+                     fmt::format("the scene has {} bytes; the setting scene.request_bytes_max "
+                                 "allows {}",
+                                 bytes, bytes_max)};
     return {};
 }
 

@@ -76,7 +76,7 @@ public:
     Status profile(const v1::ProfileRequest& request, v1::ProfileResponse& response);
 
 private:
-    static Status write_export(ExportedScene exported, v1::ExportWorldResponse& response);
+    Status write_export(ExportedScene exported, v1::ExportWorldResponse& response) const;
     PlayContext& context_;
     std::atomic<int> waiting_{0};
     BackupDownload backup_download_;

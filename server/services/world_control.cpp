@@ -45,9 +45,9 @@ Result<scenes::SceneDescription> scene_of(const v1::CreateWorldRequest& request)
         return Error{ErrorCode::invalid_argument, "give scene_name, scene or checkpoint"};
     }
     if (auto scene = scenes::find_scene(request.scene_name())) return *std::move(scene);
-    return Error{
-        ErrorCode::not_found,
-        fmt::format("there is no scene \"{}\"; ListWorlds lists the scenes", request.scene_name())};
+    return Error{ErrorCode::not_found,
+                 fmt::format("there is no scene \"{}\"{}; ListWorlds lists the scenes",
+                             request.scene_name(), scenes::scene_suggestion(request.scene_name()))};
 }
 
 }  // namespace

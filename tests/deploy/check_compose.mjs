@@ -35,10 +35,24 @@ function faults_of_service(name, service, folder) {
     return found;
 }
 
+// The server's database must be on a named volume, and its UDP port published.
+function faults_of_persistence(compose, folder) {
+    const found = [], server = compose.services.server, volumes = server?.volumes ?? [];
+    const file = volumes.find(v => v.includes(":/etc/jostle/jostle-server.toml"))?.split(":")[0];
+    const settings = file && existsSync(path.join(folder, file)) ? readFileSync(path.join(folder, file), "utf8") : "";
+    const database = /^\[persistence\]\ndatabase = "(.*)\/[^/"]+"/m.exec(settings)?.[1];
+    if (!database || !volumes.some(v => v.split(":")[1] === database && v.split(":")[0] in (compose.volumes ?? {})))
+        found.push("server: persistence.database is not on a named volume, so worlds end with the container");
+    const datagrams = /^\[datagrams\]\nlisten = ".*:(\d+)"/m.exec(settings)?.[1];
+    if (!datagrams || !(server.ports ?? []).some(p => p.endsWith(`:${datagrams}/udp`))) found.push("server: the UDP port of datagrams.listen is not published");
+    return found;
+}
+
 export function faults(compose, folder) {
     const check = formats(new Ajv({ allErrors: true, strict: false })).compile(schema);
     if (!check(compose)) return check.errors.map(e => `${e.instancePath} ${e.message} ${e.params.additionalProperty ?? ""}`.trimEnd());
-    return Object.entries(compose.services).flatMap(([name, service]) => faults_of_service(name, service, folder));
+    return [...Object.entries(compose.services).flatMap(([name, service]) => faults_of_service(name, service, folder)),
+        ...faults_of_persistence(compose, folder)];
 }
 
 export const parse = text => yaml.load(text);

@@ -78,7 +78,30 @@ function faults_of_references(objects) {
             for (const port of service.spec.ports)
                 if (!ports.includes(port.targetPort)) found.push(`${name_of(service)}: no container has a port ${port.targetPort}`);
         for (const mount of pod.containers.flatMap(c => c.volumeMounts))
-            if (!pod.volumes.some(v => v.name === mount.name)) found.push(`${name_of(set)}: no volume ${mount.name}`);
+            if (![...pod.volumes, ...claims_of(set).map(c => ({ name: c.metadata.name }))].some(v => v.name === mount.name)) found.push(`${name_of(set)}: no volume ${mount.name}`);
+    }
+    return found;
+}
+
+const claims_of = set => set.spec.volumeClaimTemplates ?? [];
+
+// The database must be on a volume of the server's own, and the UDP port must be reachable.
+function faults_of_settings(objects) {
+    const found = [], require = (good, what) => good || found.push(`jostle-server.toml: ${what}`);
+    const settings = objects.find(o => o.kind === "ConfigMap" && o.data?.["jostle-server.toml"])?.data["jostle-server.toml"] ?? "";
+    const database = /^\[persistence\]\ndatabase = "(.*)\/[^/"]+"/m.exec(settings)?.[1];
+    const datagrams = Number(/^\[datagrams\]\nlisten = ".*:(\d+)"/m.exec(settings)?.[1]);
+    for (const set of objects.filter(o => o.kind === "StatefulSet")) {
+        const containers = set.spec.template.spec.containers, mounts = containers.flatMap(c => c.volumeMounts);
+        const claims = claims_of(set).map(c => c.metadata.name);
+        require(database && mounts.some(m => m.mountPath === database && !m.readOnly && claims.includes(m.name)),
+            "persistence.database is not on a volume of volumeClaimTemplates, so worlds end with their pod");
+        const port = containers.flatMap(c => c.ports).find(p => p.containerPort === datagrams && p.protocol === "UDP");
+        require(port, "datagrams.listen has no UDP port in the container");
+        require(objects.some(o => o.kind === "Service" && o.spec.ports.some(p => p.targetPort === port?.name && p.protocol === "UDP")),
+            "datagrams.listen has no UDP port in a Service");
+        require(objects.some(o => o.kind === "NetworkPolicy" && o.spec.ingress.some(i => i.ports.some(p => p.port === port?.name && p.protocol === "UDP"))),
+            "the NetworkPolicy does not admit datagrams.listen");
     }
     return found;
 }
@@ -98,7 +121,7 @@ export async function faults(objects) {
     const sets = objects.filter(o => o.kind === "StatefulSet");
     if (!sets.length) found.push("StatefulSet is missing");
     for (const set of sets) found.push(...faults_of_confinement(name_of(set), set.spec.template.spec));
-    return [...found, ...faults_of_references(objects), ...faults_of_grace_period(objects)];
+    return [...found, ...faults_of_references(objects), ...faults_of_grace_period(objects), ...faults_of_settings(objects)];
 }
 
 export const parse = text => yaml.loadAll(text).filter(object => object);

@@ -45,6 +45,10 @@ await finds(/is a hostPath/, of => { pod(of).volumes.push({ name: "root", hostPa
 await finds(/automountServiceAccountToken/, of => { delete pod(of).automountServiceAccountToken; });
 await finds(/no memory limit/, of => { delete pod(of).containers[0].resources.limits; });
 await finds(/no fixed tag/, of => { pod(of).containers[0].image = "jostle-server:latest"; });
+await finds(/not on a volume of volumeClaimTemplates/, of => { of("StatefulSet").spec.volumeClaimTemplates[0].metadata.name = "worlds2"; pod(of).volumes.push({ name: "worlds", emptyDir: {} }); });
+await finds(/no UDP port in the container/, of => { pod(of).containers[0].ports.find(p => p.name === "datagrams").protocol = "TCP"; });
+await finds(/no UDP port in a Service/, (of, all) => { for (const s of all.filter(o => o.kind === "Service")) s.spec.ports = s.spec.ports.filter(p => p.name !== "datagrams"); });
+await finds(/does not admit datagrams/, of => { of("NetworkPolicy").spec.ingress[0].ports.pop(); });
 await finds(/no readinessProbe/, of => { delete pod(of).containers[0].readinessProbe; });
 
 function finds_in_compose(expected, spoil) {
@@ -55,6 +59,8 @@ function finds_in_compose(expected, spoil) {
     count++;
 }
 finds_in_compose(/additional properties readonly/, s => { s.readonly = true; });
+finds_in_compose(/not on a named volume/, s => { s.volumes = s.volumes.filter(v => !v.startsWith("worlds")); });
+finds_in_compose(/UDP port of datagrams.listen is not published/, s => { s.ports = s.ports.filter(p => !p.endsWith("/udp")); });
 finds_in_compose(/root file system is writable/, s => { s.read_only = false; });
 finds_in_compose(/capabilities are not dropped/, s => { s.cap_drop = ["NET_RAW"]; });
 finds_in_compose(/no-new-privileges/, s => { delete s.security_opt; });

@@ -5,6 +5,8 @@ Usage: run_shell_examples.py ROOT PROGRAMS [PAGE...]     PROGRAMS: folder of the
 A fence ```sh test is run; all of a page's run one after the other in one shell, which stops at the first command that fails.
 A fence ```text output after it shows lines of its output, in order; `...` stands for any text, and a line of `...` for any lines.
 
+A fence ```sh is not run and must be in EXEMPT with the reason.
+
 A page runs in an empty folder that has links to the folders of the project, with the built programs first on PATH and in
 build/dev/bin, and in a network of its own (Linux network namespace), so the default ports are free. Background jobs end with the page. Exit status: 0 all examples ran
 and printed what is shown, 1 not, 77 this machine does not allow network namespaces.
@@ -20,6 +22,34 @@ import sys
 import tempfile
 
 FENCE = re.compile(r"^( *)```(sh test|text output) *\n(.*?)^ *```", re.M | re.S)
+BUILDS = "builds for minutes: scripts/install-check and CI run the same commands"
+PACKAGES = "installs packages"
+# (page, first command) of each fence that is not run: why.
+EXEMPT = {
+    ("README.md", "scripts/run"): BUILDS,
+    ("docs/getting_started/run_a_server.md", "scripts/run"): BUILDS,
+    ("docs/getting_started/run_a_server.md", "scripts/run --build-only"): BUILDS,
+    ("docs/getting_started/run_a_server.md", "cmake --install build/release --prefix $HOME/jostle"): BUILDS,
+    ("docs/getting_started/first_scene.md", "cmake --build --preset release --target jostle-sim"): BUILDS,
+    ("docs/getting_started/cpp_client.md", "cmake --build --preset release --target jostle-server jostle-cpp-client"): BUILDS,
+    ("docs/getting_started/embed_the_solver.md",
+     "cmake -S . -B build/solver -DCMAKE_BUILD_TYPE=Release -DJOSTLE_RPC=OFF -DJOSTLE_SERVER=OFF -DJOSTLE_TESTS=OFF"): BUILDS,
+    ("docs/getting_started/embed_the_solver.md", "cmake -B build -DCMAKE_BUILD_TYPE=Release"): BUILDS,
+    ("docs/getting_started/python_client.md", "sudo apt-get install python3-grpcio protobuf-compiler protobuf-compiler-grpc"): PACKAGES,
+    ("docs/getting_started/typescript_client.md", "cd clients/web"): "npm needs a registry: clients/web/check runs the same commands",
+    ("docs/getting_started/typescript_client.md", "node sdk/examples/push_ball.mjs ws://127.0.0.1:8080/play"): "needs Node 22: clients/web/check",
+    ("docs/guides/client_developer/typescript.md", "(cd clients/web && npm ci && npm run build:sdk)"): "npm needs a registry: clients/web/check",
+    ("docs/design/constraint_systems.md", 'jostle-sim my_scene.json --inspect door --at 120'): "names a scene of the reader's own: tests/tools/sim",
+    ("docs/reference/configuration.md", "jostle-server --config my.toml --set client.bodies_owned_max=10"): "names a file of the reader's own",
+    ("docs/guides/operator/deploy.md", "docker build -f docker/Dockerfile -t jostle-server ."): "needs Docker: scripts/image-check",
+    ("docs/guides/operator/deploy.md", "systemd-sysusers"): "changes the system: scripts/deploy-check checks the unit",
+    ("docs/guides/operator/deploy.md", "kubectl apply -k deploy/kubernetes/base"): "needs a cluster: scripts/deploy-check",
+    ("docs/guides/operator/secure.md",
+     "jostlectl --server play.example.org:50051 --ca ca.pem --cert operator.pem --key operator.key clients"): "a server of the reader: scripts/tls-check",
+    ("docs/guides/operator/secure.md",
+     """jq -r 'select(.outcome == "refused") | "\\(.address) \\(.reason)"' audit.log | sort | uniq -c | sort -n"""): "needs jq and a log of weeks",
+}
+SHELL = re.compile(r"^ *```(?:sh|bash|console|shell)[ \t]*\n(.*?)^ *```", re.M | re.S)
 PAGE_SECONDS = 120
 SKIPPED = 77
 MARK = "=== example of line "
@@ -37,6 +67,25 @@ def examples(text):
         elif found:
             found[-1][2].extend(body.splitlines())
     return found
+
+
+def first_command(body):
+    return body.splitlines()[0].split("  #")[0].strip()
+
+
+def not_exempt(root, pages):
+    """Faults: fences that are neither run nor in EXEMPT, and entries of EXEMPT that no page has."""
+    found, faults = set(), []
+    for page in pages:
+        text = (root / page).read_text(encoding="utf-8")
+        for match in SHELL.finditer(text):
+            key = (page, first_command(match[1]))
+            found.add(key)
+            if key not in EXEMPT:
+                line = text.count("\n", 0, match.start()) + 1
+                faults.append(f"{page}:{line}: is not run: make it ```sh test, or give the reason in EXEMPT")
+    unused = [key for key in EXEMPT if key[0] in pages and key not in found]
+    return faults + [f"run_shell_examples.py: EXEMPT has {command!r}, which {page} does not show" for page, command in unused]
 
 
 def script_of(found):
@@ -138,7 +187,10 @@ def main():
         print("skipped: this machine does not allow network namespaces (unshare --net)")
         return SKIPPED
     pages = sys.argv[3:] or [page.relative_to(root).as_posix() for page in [root / "README.md", *sorted((root / "docs").rglob("*.md"))]]
-    count, failed = 0, 0
+    stated = not_exempt(root, pages)
+    for fault in stated:
+        print(fault)
+    count, failed = 0, len(stated)
     for page in pages:
         faults, examples_count = run_page(root, programs, page)
         count += examples_count

@@ -98,9 +98,9 @@ TEST_F(ModuleMessage, rejects_more_than_64_modules) {
         scene.modules.push_back({.tag = "m" + std::to_string(k)});
     FieldReader in;
     read_module(in, scene, "modules[64]", message);
-    ASSERT_TRUE(in.error());
-    EXPECT_EQ(in.error()->path, "modules[64]");
-    EXPECT_EQ(in.error()->what, "exceeds the maximum of 64 modules in a scene");
+    ASSERT_TRUE(in.failed());
+    EXPECT_EQ(in.errors().front().path, "modules[64]");
+    EXPECT_EQ(in.errors().front().what, "exceeds the maximum of 64 modules in a scene");
 }
 
 }  // namespace jostle::scenes

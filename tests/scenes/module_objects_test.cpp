@@ -122,19 +122,21 @@ TEST(ModuleObjects, supports_several_winds_and_waters_in_separate_volumes) {
 TEST(ModuleObjects, errors_name_line_and_field) {
     EXPECT_EQ(error_of(R"({"vehicle": {"cars": [{"body": "car"},
         {"body": "car[1]", "radius": 99}]}})"),
-              "line 12: modules[0].vehicle.cars[1].radius: 99 is out of range; it must be from "
+              "line 12, column 38: modules[0].vehicle.cars[1].radius: 99 is out of range; it must "
+              "be from "
               "0.02 to 10");
-    EXPECT_EQ(error_of(R"({"vehicle": {"cars": [{"body": "cart"}]}})"),
-              "line 11: modules[0].vehicle.cars[0].body: is \"cart\"; no body has the name "
-              "\"cart\"");
-    EXPECT_EQ(error_of(R"({"vehicle": {"cars": []}})"),
-              "line 11: modules[0].vehicle.cars: has 0 items; it must have 1 to 1000");
-    EXPECT_THAT(error_of(R"({"vehicle": {"cars": [{"colour": 1}]}})"),
-                HasSubstr("line 11: modules[0].vehicle.cars[0]"));
     EXPECT_EQ(
-        error_of(R"({"tag": "fields", "vehicle": {"cars": [{"body": "car"}]}})"),
-        "line 11: modules[0].tag: is \"fields\", but its objects belong to \"vehicle\"; remove "
-        "the tag");
+        error_of(R"({"vehicle": {"cars": [{"body": "cart"}]}})"),
+        "line 11, column 32: modules[0].vehicle.cars[0].body: is \"cart\"; no body has the name "
+        "\"cart\"");
+    EXPECT_EQ(error_of(R"({"vehicle": {"cars": []}})"),
+              "line 11, column 22: modules[0].vehicle.cars: has 0 items; it must have 1 to 1000");
+    EXPECT_THAT(error_of(R"({"vehicle": {"cars": [{"colour": 1}]}})"),
+                HasSubstr("line 11, column 34: modules[0].vehicle.cars[0]"));
+    EXPECT_EQ(error_of(R"({"tag": "fields", "vehicle": {"cars": [{"body": "car"}]}})"),
+              "line 11, column 9: modules[0].tag: is \"fields\", but its objects belong to "
+              "\"vehicle\"; remove "
+              "the tag");
     EXPECT_THAT(error_of(R"({"vehicle": {"cars": [{"body": "car"}, {"body": "car"}]}})"),
                 HasSubstr("modules[0] 'vehicle': cars[1]: "))
         << "detected by the module: a body belongs to one car";

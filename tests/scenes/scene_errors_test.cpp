@@ -3,6 +3,8 @@
 // Errors of invalid scene files: line, field, value and remedy.
 #include <gtest/gtest.h>
 
+#include <regex>
+
 #include "jostle/scenes/scene_file.h"
 #include "tests/scenes/turntable.h"
 
@@ -13,13 +15,24 @@ struct Case {
     std::string text, message;
 };
 
+// The cases name lines only; reports_columns_and_all_errors has columns.
+std::string without_columns(const std::string& message) {
+    return std::regex_replace(message, std::regex(", column [0-9]+: "), ": ");
+}
+
 void expect_starts(const std::string& text, const std::string& message) {
     const auto scene = read_scene_json(text);
     ASSERT_FALSE(scene.ok()) << text;
-    EXPECT_EQ(scene.error().message.substr(0, message.size()), message) << text;
+    EXPECT_EQ(without_columns(scene.error().message).substr(0, message.size()), message) << text;
 }
 
 void expect_refused(const std::string& text, const std::string& message) {
+    const auto scene = read_scene_json(text);
+    ASSERT_FALSE(scene.ok()) << text;
+    EXPECT_EQ(without_columns(scene.error().message), message) << text;
+}
+
+void expect_error(const std::string& text, const std::string& message) {
     const auto scene = read_scene_json(text);
     ASSERT_FALSE(scene.ok()) << text;
     EXPECT_EQ(scene.error().message, message) << text;
@@ -73,6 +86,42 @@ std::string with_module(const std::string& module) {
 const std::string neighbours = R"("name": "pin", "body_a": "link", "body_b": "link[1]",)";
 
 }  // namespace
+
+TEST(SceneErrors, reports_columns_and_all_errors) {
+    expect_error("{\"name\": \"a\",\n  \"bodys\": [], \"world\": {\"hz\": true, \"gravty\": {}}}",
+                 "line 2, column 12: bodys: unknown field; did you mean \"bodies\"?\n"
+                 "line 2, column 48: world.gravty: unknown field; did you mean \"gravity\"?\n"
+                 "line 2, column 32: world.hz: must be a number, not boolean");
+    expect_error(R"({"name": "a", "world": {"hz": 1}, "bodies": [
+{"shapes": [{"sphere": {"radius": -1}}], "mass": -2},
+{"shapes": [{"sphere": {"radius": 1}}]},
+{"shapes": [{"box": {"half_extents": {"x": 1, "y": 0, "z": 1}}}]}]})",
+                 "line 1, column 31: world.hz: 1 is out of range; it must be from 4 to 1000\n"
+                 "line 2, column 50: bodies[0].mass: -2 is out of range; it must be from 1e-09 to "
+                 "1e+15\n"
+                 "line 2, column 35: bodies[0].shapes[0].sphere.radius: -1 is out of range; it "
+                 "must be from 0.0001 to 10000\n"
+                 "line 4, column 52: bodies[2].shapes[0].box.half_extents.y: 0 is out of range; it "
+                 "must be from 0.0001 to 10000");
+}
+
+TEST(SceneErrors, reports_at_most_twenty_errors) {
+    std::string text = R"({"name": "a", "bodies": [)";
+    for (int i = 0; i < 30; i++) text += std::string(i == 0 ? "" : ",") + "{\"mass\": \"1\"}";
+    const auto scene = read_scene_json(text + "]}");
+    ASSERT_FALSE(scene.ok());
+    const std::string& message = scene.error().message;
+    EXPECT_EQ(std::count(message.begin(), message.end(), '\n'), 20);
+    EXPECT_NE(message.find("bodies[19].mass"), std::string::npos);
+    EXPECT_TRUE(message.ends_with("\nmore errors may follow")) << message;
+}
+
+TEST(SceneErrors, accepts_the_name_of_a_schema) {
+    EXPECT_TRUE(read_scene_json(R"({"$schema": "./scene.json", "name": "a"})").ok());
+    expect_error(R"({"$schema": 1, "name": "a"})",
+                 "line 1, column 13: $schema: must be a string in quotes, not number");
+    EXPECT_FALSE(read_scene_json(R"({"name": "a", "world": {"$schema": "x"}})").ok());
+}
 
 TEST(SceneErrors, errors_name_line_and_field) {
     const Case cases[] = {

@@ -10,6 +10,7 @@
 #include <cstdio>
 #include <fstream>
 
+#include "base/command_line/command_line.h"
 #include "tests/simulation/simulation.h"
 
 namespace {
@@ -102,11 +103,9 @@ int main(int argc, char** argv) {
         ->check(CLI::Range(std::uint64_t{1}, std::uint64_t{1'000'000'000'000}));
     app.add_flag("--twice", flags.twice, "Run twice; both runs must give the same fingerprint");
     app.footer(footer);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
+    if (const auto status =
+            jostle::parse_command_line(app, {"jostle-simulation", JOSTLE_VERSION}, argc, argv))
+        return *status;
     spdlog::set_level(spdlog::level::off);
     google::protobuf::SetLogHandler(nullptr);  // hostile clients provoke messages
     return run(flags);

@@ -51,7 +51,7 @@ def prose_of_markdown(text):
     text = without(text, r"^(?: {4}|\t)(?! *(?:[-*]|\d+\.) ).*$", re.M)
     text = re.sub(r"`[^`\n]*`", lambda match: "X" * len(match.group()), text)
     text = without(text, r"\]\([^)\s]*\)")
-    return without(text, r"<[^>\n]*>|--8<--.*")
+    return without(text, r"<[^>\n]*>")
 
 
 def comments_of(text):

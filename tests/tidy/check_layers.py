@@ -73,7 +73,7 @@ LAYERS = {
     "server/grpc": [*SERVER_LOW, "server/grpc_proxy", "server/udp", "server/world", "server/limits", "server/replication",
                     "server/messages", "server/session", "server/services", "proto/grpc_status", GENERATED],
     "server/http": [*SERVER_LOW, "server/world", "server/limits", "server/replication", "server/messages", "server/session",
-                    "server/services", GENERATED],
+                    "server/services", "scenes/include", GENERATED],
     "server/app": [*SERVER_LOW, "server/grpc_proxy", "server/udp", "server/world", "server/recovery", "server/storage",
                    "server/limits", "server/replication", "server/messages", "server/session", "server/services",
                    "server/grpc", "server/http", "scenes/include", GENERATED],

@@ -10,7 +10,7 @@ A fence names its frame after the language:
     ```cpp client        inside a function, after the headers of the client library
     ```cpp connected     the same, with a client `me` on a Loop `loop`
     ```cpp program       a whole file
-A fence that includes a file (--8<-- "examples/a.cpp") is not compiled here; CMake builds the file.
+A fence that scripts/docs-reference copied from a file (<!-- begin source examples/a.cpp -->) is not compiled here; CMake builds the file.
 BUILD is the build folder, which has the generated messages that the client frame and some programs include. Without it, or before it
 is built, these fences are skipped with a message. Longer programs belong into examples/, which CMake builds.
 """
@@ -23,7 +23,7 @@ import tempfile
 
 FLAGS = ["-std=c++20", "-fsyntax-only", "-Wall", "-Wextra", "-Werror", "-Wno-unused-variable", "-Wno-unused-but-set-variable",
          "-Wno-missing-field-initializers"]
-INCLUDED = re.compile(r'\s*--8<-- "([^"]+)"\s*')
+COPIED = re.compile(r"<!-- begin source .*?<!-- end source -->", re.S)
 FENCE = re.compile(r"^( *)```cpp(?: +([a-z]+))? *\n(.*?)^ *```", re.M | re.S)
 STANDARD = "#include <chrono>\n#include <cmath>\n#include <cstdio>\n#include <memory>\n#include <thread>\n"
 PHYSICS = STANDARD + "#include <jostle/physics/physics.h>\n"
@@ -53,9 +53,10 @@ def fences(root):
     """(document, line, frame, C++ text) of each fence."""
     for path in documents(root):
         text = path.read_text(encoding="utf-8")
+        copied = [match.span() for match in COPIED.finditer(text)]
         for match in FENCE.finditer(text):
             indent, frame, code = match.groups()
-            if INCLUDED.fullmatch(code):
+            if any(begin <= match.start() < end for begin, end in copied):
                 continue
             yield (path.relative_to(root).as_posix(), text.count("\n", 0, match.start()) + 2, frame or "",
                    re.sub(f"^{indent}", "", code, flags=re.M))

@@ -76,7 +76,7 @@ void Connection::prepare(grpc::ClientContext& context, std::chrono::seconds time
     client::attach_token(context, security_);
 }
 
-Error Connection::describe_error(const grpc::Status& status) const {
+Error Connection::describe_error(const grpc::Status& status, const char* role) const {
     const Error error = from_grpc(status).error();
     switch (status.error_code()) {
         case grpc::StatusCode::UNAVAILABLE:
@@ -87,9 +87,13 @@ Error Connection::describe_error(const grpc::Status& status) const {
                         (security_.tls
                              ? " Check that the server uses TLS and that --ca contains its CA."
                              : " If the server uses TLS, use --tls or --ca FILE.")};
-        case grpc::StatusCode::UNAUTHENTICATED:
+        case grpc::StatusCode::RESOURCE_EXHAUSTED:
+            if (error.message.find("larger than max") == std::string::npos) return error;
             return {error.code,
-                    error.message + "\n  Use --token-file FILE with the token of an admin."};
+                    error.message + "\n  Raise the setting scene.request_bytes_max of the server."};
+        case grpc::StatusCode::UNAUTHENTICATED:
+            return {error.code, error.message + "\n  Use --token-file FILE with the token of " +
+                                    role + " or of a higher role."};
         case grpc::StatusCode::UNIMPLEMENTED:
             return {error.code, server_ +
                                     " does not support this method: it is an older server or not "

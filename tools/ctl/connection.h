@@ -38,14 +38,23 @@ public:
         prepare(context, timeout);
         Response response;
         const grpc::Status status = (stub<Stub>().*method)(&context, request, &response);
-        if (!status.ok()) return describe_error(status);
+        if (!status.ok()) return describe_error(status, role_of<Request>());
         return response;
     }
     static constexpr auto default_timeout = std::chrono::seconds(10);
 
 private:
     void prepare(grpc::ClientContext& context, std::chrono::seconds timeout) const;
-    Error describe_error(const grpc::Status& status) const;
+    // Role that a call requires (server/auth/access_table.cpp).
+    template <class Request>
+    static constexpr const char* role_of() {
+        if (std::is_same_v<Request, v1::ListWorldsRequest>) return "a viewer";
+        if (std::is_same_v<Request, v1::CreateWorldRequest> ||
+            std::is_same_v<Request, v1::DeleteWorldRequest>)
+            return "a director";
+        return "an admin";
+    }
+    Error describe_error(const grpc::Status& status, const char* role) const;
     template <class Stub>
     Stub& stub() const;
 

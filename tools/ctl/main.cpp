@@ -4,6 +4,7 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 
+#include "base/command_line/command_line.h"
 #include "clients/cpp/cli/security_flags.h"
 #include "tools/ctl/commands.h"
 
@@ -232,12 +233,9 @@ int main(int argc, char** argv) {
     add_client_commands(app, flags);
     add_file_commands(app, flags);
     app.require_subcommand(1);
-    app.set_version_flag("--version", "jostlectl " JOSTLE_VERSION, "Print the version and exit");
     app.footer(footer);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
+    if (const auto status =
+            jostle::parse_command_line(app, {"jostlectl", JOSTLE_VERSION}, argc, argv))
+        return *status;
     return run(flags);
 }

@@ -8,6 +8,7 @@
 #include <cstdio>
 #include <fstream>
 
+#include "base/command_line/command_line.h"
 #include "clients/cpp/cli/security_flags.h"
 #include "tools/load/library_client_pool.h"
 #include "tools/load/load_metrics.h"
@@ -200,11 +201,9 @@ int main(int argc, char** argv) {
     CLI::App app{"Load a Jostle server with many clients and report latency and bandwidth."};
     Flags flags;
     add_flags(app, flags);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
+    if (const auto status =
+            jostle::parse_command_line(app, {"jostle-load", JOSTLE_VERSION}, argc, argv))
+        return *status;
     if (const auto status = finish(flags); !status.ok()) return fail(status.error().message);
     std::signal(SIGINT, [](int) { stop = true; });
     std::signal(SIGTERM, [](int) { stop = true; });

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // jostle-mesh: prepares closed meshes for scenes, as convex hulls or as breakable chunks.
+#include "base/command_line/command_line.h"
 #include "tools/mesh/commands.h"
 
 namespace {
@@ -25,10 +26,8 @@ int main(int argc, char** argv) {
     int status = 0;
     jostle::mesh::add_decompose(app, status);
     jostle::mesh::add_fracture(app, status);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
+    if (const auto status =
+            jostle::parse_command_line(app, {"jostle-mesh", JOSTLE_VERSION}, argc, argv))
+        return *status;
     return status;
 }

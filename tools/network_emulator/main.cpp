@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "base/command_line/command_line.h"
 #include "tools/network_emulator/packet_forwarder.h"
 #include "tools/network_emulator/tcp_proxy.h"
 
@@ -107,11 +108,9 @@ int main(int argc, char** argv) {
     app.add_option("--seed", conditions.seed, "Seed of the random number generator [default: 1]")
         ->type_name("N");
     app.footer(footer);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
+    if (const auto status =
+            jostle::parse_command_line(app, {"jostle-netem", JOSTLE_VERSION}, argc, argv))
+        return *status;
     std::signal(SIGINT, [](int) { stop = true; });
     std::signal(SIGTERM, [](int) { stop = true; });
     if (queue->count() == 0) conditions.queue_bytes = between.empty() ? 65'536 : 30e6;

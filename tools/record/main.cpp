@@ -10,6 +10,7 @@
 #include <string>
 #include <thread>
 
+#include "base/command_line/command_line.h"
 #include "clients/cpp/cli/security_flags.h"
 #include "jostle/client/client.h"
 #include "tools/record/recorder.h"
@@ -129,11 +130,9 @@ int main(int argc, char** argv) {
     CLI::App app{"Record the stream of a world of a Jostle server."};
     Flags flags;
     add_flags(app, flags);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
+    if (const auto status =
+            jostle::parse_command_line(app, {"jostle-record", JOSTLE_VERSION}, argc, argv))
+        return *status;
     const auto fail = [](int status, const std::string& message) {
         std::fprintf(stderr, "jostle-record: %s\n", message.c_str());
         return status;

@@ -8,6 +8,7 @@
 #include <optional>
 #include <string>
 
+#include "base/command_line/command_line.h"
 #include "jostle/physics/serialization.h"
 #include "jostle/scenes/scene_file.h"
 #include "tools/replay/recording_report.h"
@@ -251,10 +252,8 @@ int main(int argc, char** argv) {
         ->excludes(every);
     app.add_flag("--json", flags.json, "Print JSON");
     app.footer(footer);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
+    if (const auto status =
+            jostle::parse_command_line(app, {"jostle-replay", JOSTLE_VERSION}, argc, argv))
+        return *status;
     return flags.world ? run_database(flags) : run_recording(flags);
 }

@@ -9,6 +9,7 @@
 #include <ctime>
 #include <fstream>
 
+#include "base/command_line/command_line.h"
 #include "jostle/scenes/catalog.h"
 #include "jostle/scenes/scene_file.h"
 #include "tools/sim/converge.h"
@@ -436,11 +437,9 @@ int main(int argc, char** argv) {
         "Run a scene offline as fast as possible and report its cost and its final state."};
     Flags flags;
     add_flags(app, flags);
-    try {
-        app.parse(argc, argv);
-    } catch (const CLI::ParseError& error) {
-        return app.exit(error) == 0 ? 0 : 2;
-    }
+    if (const auto status =
+            jostle::parse_command_line(app, {"jostle-sim", JOSTLE_VERSION}, argc, argv))
+        return *status;
     if (flags.list) {
         for (const auto& scene : jostle::scenes::catalog())
             std::printf("%-12.*s %.*s\n", static_cast<int>(scene.name.size()), scene.name.data(),

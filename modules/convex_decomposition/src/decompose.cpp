@@ -20,13 +20,51 @@ struct Part {
     Aabb box;                       // that bounds the part
     std::vector<Triangle> surface;  // triangles that affect the box
     Piece piece;
-    HullPointer hull;  // null if it has too many corners for one hull
+    HullPointer hull;      // null if it has too many corners for one hull
+    bool reduced = false;  // the hull lacks corners of the piece, because it would have too many
     bool done = false;
 
     double max_volume_error() const {
-        return hull ? maximum(hull->volume - piece.volume, 0) : 1e300;
+        if (!hull) return 1e300;
+        return reduced ? absolute(hull->volume - piece.volume)
+                       : maximum(hull->volume - piece.volume, 0);
     }
 };
+
+// Returns the points that are farthest in evenly distributed directions: those through a grid of
+// side x side points on each face of a cube.
+std::vector<Vec3> farthest_points(const std::vector<Vec3>& points, int side) {
+    std::vector<std::size_t> chosen;
+    for (int axis = 0; axis < 3; axis++)
+        for (const double sign : {-1.0, 1.0})
+            for (int i = 0; i < side; i++)
+                for (int j = 0; j < side; j++) {
+                    const double u = (2 * i + 1.0) / side - 1, v = (2 * j + 1.0) / side - 1;
+                    const Vec3 direction = axis == 0   ? Vec3{sign, u, v}
+                                           : axis == 1 ? Vec3{u, sign, v}
+                                                       : Vec3{u, v, sign};
+                    std::size_t best = 0;
+                    for (std::size_t k = 1; k < points.size(); k++)
+                        if (dot(direction, points[k]) > dot(direction, points[best])) best = k;
+                    chosen.push_back(best);
+                }
+    std::sort(chosen.begin(), chosen.end());
+    chosen.erase(std::unique(chosen.begin(), chosen.end()), chosen.end());
+    std::vector<Vec3> farthest;
+    for (const std::size_t k : chosen) farthest.push_back(points[k]);
+    return farthest;
+}
+
+// Builds a hull of the farthest points only, as many as a hull can have: a smooth piece has more
+// corners than a hull, or than one of its faces, can have.
+void add_reduced_hull(Part& part) {
+    for (const int side : {6, 5, 4, 3, 2})
+        if (auto hull = build_hull(farthest_points(part.piece.points, side)); hull.ok()) {
+            part.hull = *hull;
+            part.reduced = true;
+            return;
+        }
+}
 
 // Returns nullopt for flat pieces, which have no volume.
 std::optional<Part> part_in(const std::vector<Triangle>& surface, const Aabb& box) {
@@ -215,11 +253,19 @@ Result<Decomposition> decompose(std::span<const Vec3> vertices,
     std::vector<Part> parts;
     parts.push_back(std::move(*complete));
     const double allowed = options.max_volume_error * mesh->volume;
-    cut(parts, options, allowed);
+    // A smooth convex solid is one hull; cutting it would only create slivers.
+    Part whole = parts.front();
+    if (!whole.hull) add_reduced_hull(whole);
+    if (whole.max_volume_error() <= allowed) {
+        parts = {std::move(whole)};
+    } else {
+        cut(parts, options, allowed);
+        for (Part& part : parts)
+            if (!part.hull) add_reduced_hull(part);
+    }
     if (std::any_of(parts.begin(), parts.end(), [](const Part& p) { return p.hull == nullptr; }))
-        return Error{ErrorCode::resource_exhausted, "a part has more than " +
-                                                        std::to_string(max_hull_vertices) +
-                                                        " corners; increase hulls_max"};
+        return Error{ErrorCode::resource_exhausted,
+                     "a part has no valid convex hull; increase hulls_max"};
     merge_parts(parts, allowed);
     Decomposition found{.mesh_volume = mesh->volume,
                         .max_volume_error = total_volume_error(parts) / mesh->volume,

@@ -75,6 +75,36 @@ TEST(Decompose, preserves_the_hole_of_a_dynamic_ring) {
     EXPECT_LT(world.body(peg)->pose.position.y, 0.6);
 }
 
+// A ball of 1562 corners: a hull has at most 252.
+TEST(Decompose, reduces_a_smooth_ball_to_one_hull) {
+    const Solid solid = ball(40, 40);
+    ASSERT_EQ(solid.vertices.size(), 1562u);
+    for (const int hulls : {1, 32, 256}) {
+        const Decomposition one = of(solid, {.hulls_max = hulls});
+        ASSERT_EQ(one.parts.size(), 1u);
+        EXPECT_LE(one.parts[0]->vertices.size(), max_hull_vertices);
+        EXPECT_NEAR(one.parts[0]->volume, one.mesh_volume, 0.03 * one.mesh_volume);
+        EXPECT_LT(one.max_volume_error, 0.03);
+        EXPECT_GT(one.max_volume_error, 0.001);
+    }
+    const Decomposition fine = of(solid, {.hulls_max = 8, .max_volume_error = 0.005});
+    EXPECT_GT(fine.parts.size(), 1u);
+    EXPECT_LE(fine.parts.size(), 8u);
+}
+
+// The caps have 100 corners; a face of a hull has at most 64.
+TEST(Decompose, reduces_a_round_cylinder_to_one_hull) {
+    std::vector<std::array<double, 2>> circle;
+    std::vector<std::array<std::uint32_t, 3>> cap;
+    for (std::uint32_t k = 0; k < 100; k++) {
+        circle.push_back({std::cos(2 * pi * k / 100), std::sin(2 * pi * k / 100)});
+        if (k >= 2) cap.push_back({0, k - 1, k});
+    }
+    const Decomposition one = of(prism(circle, cap, 1));
+    ASSERT_EQ(one.parts.size(), 1u);
+    EXPECT_NEAR(one.parts[0]->volume, pi, 0.03 * pi);
+}
+
 TEST(Decompose, rejects_out_of_range_options) {
     const Solid solid = cube();
     for (const Options& wrong :

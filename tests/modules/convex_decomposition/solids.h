@@ -47,6 +47,30 @@ inline Solid l_shape() {
                  {{0, 1, 2}, {0, 2, 3}, {0, 3, 4}, {0, 4, 5}}, 1);
 }
 
+// A ball of radius 1 about the y axis with two poles and `rings` - 1 rings of `around` corners.
+inline Solid ball(std::uint32_t around, std::uint32_t rings) {
+    Solid solid;
+    solid.vertices.push_back({0, 1, 0});
+    for (std::uint32_t j = 1; j < rings; j++)
+        for (std::uint32_t i = 0; i < around; i++) {
+            const double a = 2 * physics::pi * i / around, b = physics::pi * j / rings;
+            solid.vertices.push_back(
+                {std::sin(b) * std::cos(a), std::cos(b), std::sin(b) * std::sin(a)});
+        }
+    solid.vertices.push_back({0, -1, 0});
+    const auto south = static_cast<std::uint32_t>(solid.vertices.size() - 1);
+    for (std::uint32_t i = 0; i < around; i++) {
+        const std::uint32_t next = (i + 1) % around, last = south - around;
+        solid.indices.insert(solid.indices.end(), {0, 1 + next, 1 + i});
+        solid.indices.insert(solid.indices.end(), {south, last + i, last + next});
+        for (std::uint32_t j = 0; j + 2 < rings; j++) {
+            const std::uint32_t a = 1 + j * around;
+            solid.quad(a + i, a + next, a + around + next, a + around + i);
+        }
+    }
+    return solid;
+}
+
 // About the y axis; the tube is round with radius `thin`.
 inline Solid torus(double wide, double thin, std::uint32_t around, std::uint32_t along) {
     Solid solid;

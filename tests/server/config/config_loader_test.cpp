@@ -48,6 +48,19 @@ TEST(ConfigLoader, errors_name_file_and_key) {
     EXPECT_FALSE(load_config(config, "/no/such/file.toml").ok());
 }
 
+TEST(ConfigLoader, suggests_the_nearest_setting_and_section) {
+    EXPECT_NE(error_of("[tick]\ncatch_up_tick_max = 3\n")
+                  .find("did you mean \"tick.catch_up_ticks_max\"?"),
+              std::string::npos)
+        << error_of("[tick]\ncatch_up_tick_max = 3\n");
+    EXPECT_NE(
+        error_of("[persistance]\n")
+            .find("test.toml:1: unknown section [persistance]; did you mean \"persistence\"?"),
+        std::string::npos)
+        << error_of("[persistance]\n");
+    EXPECT_NE(error_of("htpp = \"x\"\n").find("did you mean \"http\"?"), std::string::npos);
+}
+
 TEST(ConfigLoader, unreadable_files_return_an_error) {
     Config config;
     EXPECT_FALSE(load_config(config, "/no/such/file.toml").ok());

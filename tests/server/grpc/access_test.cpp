@@ -48,7 +48,7 @@ protected:
         control = std::make_unique<WorldControl>(*context);
         queries = std::make_unique<QueryControl>(*context);
         admin = std::make_unique<AdminControl>(*context);
-        std::vector<CallMethod> methods = world_methods(*control, worlds);
+        std::vector<CallMethod> methods = world_methods(*control, worlds, 4 << 20);
         std::ranges::move(query_methods(*queries, worlds), std::back_inserter(methods));
         std::ranges::move(admin_methods(*admin, worlds), std::back_inserter(methods));
         server = std::make_unique<GrpcServer>(

@@ -41,7 +41,7 @@ protected:
             .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *authorizer});
         control = std::make_unique<WorldControl>(*context);
         server = std::make_unique<GrpcServer>(
-            *context, world_methods(*control, worlds), [] { return true; },
+            *context, world_methods(*control, worlds, 4 << 20), [] { return true; },
             GrpcSettings{.port = 0, .certificates = store.get()});
         ASSERT_TRUE(server->start().ok());
         woken = server.get();

@@ -81,7 +81,7 @@ protected:
     }
 
     std::vector<CallMethod> methods() {
-        std::vector<CallMethod> all = world_methods(control, worlds);
+        std::vector<CallMethod> all = world_methods(control, worlds, 4 << 20);
         std::ranges::move(query_methods(queries, worlds), std::back_inserter(all));
         return all;
     }

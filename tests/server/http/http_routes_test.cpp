@@ -70,6 +70,28 @@ TEST_F(HttpRoutesTest, resumes_a_paused_world) {
     EXPECT_FALSE(worlds.find("w1")->lifecycle().paused());
 }
 
+TEST_F(HttpRoutesTest, reports_the_errors_of_a_scene_with_positions) {
+    const auto message_of = [&](const std::string& body) {
+        const HttpResponse response = send("POST", "/api/worlds", body);
+        EXPECT_EQ(response.status, 400) << response.body;
+        return nlohmann::json::parse(response.body)["message"].get<std::string>();
+    };
+    EXPECT_EQ(message_of("{\"nme\": \"x\",\n \"scene\": {\"bodys\": []}}"),
+              "line 1, column 9: nme: unknown field; did you mean \"name\"?\n"
+              "line 2, column 21: scene.bodys: unknown field; did you mean \"bodies\"?");
+    EXPECT_EQ(
+        message_of("{\"scene\": {\"name\": \"a\",\n \"world\": {\"hz\": 1},\n"
+                   " \"bodies\": [{\"mass\": -1}]}}"),
+        "line 2, column 18: scene.world.hz: 1 is out of range; it must be from 4 to 1000\n"
+        "line 3, column 22: scene.bodies[0].mass: -1 is out of range; it must be from 1e-09 to "
+        "1e+15\n"
+        "bodies[0].shapes: is empty; it must have at least one shape");
+    EXPECT_EQ(
+        send("POST", "/api/worlds", R"({"scene": {"$schema": "scene.schema.json", "name": "a"}})")
+            .status,
+        201);
+}
+
 TEST_F(HttpRoutesTest, creates_and_deletes_worlds) {
     const HttpResponse made =
         send("POST", "/api/worlds", R"({"name": "two words", "sceneName": "dominoes"})");

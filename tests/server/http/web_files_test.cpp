@@ -68,6 +68,59 @@ TEST_F(WebFilesTest, returns_304_for_a_current_copy) {
     EXPECT_EQ(get("/", etag).status, 200);
 }
 
+TEST_F(WebFilesTest, serves_the_smallest_copy_that_the_client_accepts) {
+    write("root/assets/main-abc.js.br", "BR");
+    write("root/assets/main-abc.js.gz", "GZIP");
+    const auto ask = [&](const std::string& accepted, const std::string& etag = {}) {
+        HttpRequest request;
+        request.method = "GET";
+        request.target = "/assets/main-abc.js";
+        request.accept_encoding = accepted;
+        request.if_none_match = etag;
+        return WebFiles(folder_ / "root").serve(request);
+    };
+    const HttpResponse brotli = ask("gzip, deflate, br");
+    EXPECT_EQ(brotli.body, "BR");
+    EXPECT_EQ(header(brotli, "Content-Encoding"), "br");
+    EXPECT_EQ(header(brotli, "Vary"), "Accept-Encoding");
+    EXPECT_EQ(brotli.content_type, "text/javascript; charset=utf-8");
+    EXPECT_EQ(header(brotli, "Cache-Control"), "public, max-age=31536000, immutable");
+    const HttpResponse gzip = ask("gzip;q=0.5");
+    EXPECT_EQ(gzip.body, "GZIP");
+    EXPECT_EQ(header(gzip, "Content-Encoding"), "gzip");
+    const HttpResponse plain = ask("");
+    EXPECT_EQ(plain.body, "run()");
+    EXPECT_EQ(header(plain, "Content-Encoding"), "");
+    EXPECT_EQ(header(plain, "Vary"), "Accept-Encoding");
+    EXPECT_NE(header(plain, "ETag"), header(gzip, "ETag"));
+    EXPECT_NE(header(brotli, "ETag"), header(gzip, "ETag"));
+    const HttpResponse current = ask("br", header(brotli, "ETag"));
+    EXPECT_EQ(current.status, 304);
+    EXPECT_EQ(header(current, "Vary"), "Accept-Encoding");
+    EXPECT_EQ(ask("gzip", header(brotli, "ETag")).status, 200);
+}
+
+TEST_F(WebFilesTest, does_not_serve_a_copy_outside_the_root) {
+    fs::create_symlink(folder_ / "secret.txt", folder_ / "root/index.html.gz");
+    HttpRequest request;
+    request.method = "GET";
+    request.target = "/";
+    request.accept_encoding = "gzip";
+    EXPECT_EQ(WebFiles(folder_ / "root").serve(request).body, "<title>viewer</title>");
+}
+
+TEST(AcceptEncoding, reads_names_weights_and_wildcards) {
+    EXPECT_TRUE(accepts_coding("br", "br"));
+    EXPECT_TRUE(accepts_coding("gzip , BR ; q=0.1", "br"));
+    EXPECT_TRUE(accepts_coding("*", "gzip"));
+    EXPECT_FALSE(accepts_coding("", "gzip"));
+    EXPECT_FALSE(accepts_coding("identity", "gzip"));
+    EXPECT_FALSE(accepts_coding("gzip;q=0", "gzip"));
+    EXPECT_FALSE(accepts_coding("*, gzip;q=0.000", "gzip"));
+    EXPECT_FALSE(accepts_coding("xbr, brx", "br"));
+    EXPECT_FALSE(accepts_coding(";;;,,=,q=0", "br"));
+}
+
 TEST_F(WebFilesTest, rejects_paths_outside_the_root) {
     const char* targets[] = {"/../secret.txt",
                              "/%2e%2e/secret.txt",

@@ -19,6 +19,10 @@ std::span<const CatalogEntry> catalog();
 /// Returns the scene with this name; nullopt if there is none.
 std::optional<SceneDescription> find_scene(std::string_view name);
 
+/// Returns "; did you mean "NAME"?" for a misspelled name, or nothing if no scene has a similar
+/// name.
+std::string scene_suggestion(std::string_view wrong);
+
 /// Registers the modules that scenes of the catalogue use. build_scene() calls it. A program that
 /// loads saved worlds must call it first. Thread-safe and idempotent.
 void register_catalog_modules();

@@ -36,8 +36,8 @@ struct Decomposition {
     /// The hulls.
     std::vector<std::shared_ptr<const physics::ConvexHull>> parts;
     double mesh_volume = 0;  ///< m^3
-    /// Sum of the hull volumes minus the mesh volume, as a fraction of the mesh volume; merged
-    /// parts may overlap
+    /// Sum of the differences between the volumes of the hulls and of their parts of the mesh, as a
+    /// fraction of the mesh volume; merged parts may overlap
     double max_volume_error = 0;
     double max_distance = 0;  ///< m, largest sampled distance of a hull's surface outside the mesh
 };
@@ -48,7 +48,8 @@ struct Decomposition {
 ///
 /// Returns invalid_argument if an option is out of range or the mesh is not a solid: an edge
 /// without a triangle on each side, zero volume, or numbers out of range. Returns
-/// resource_exhausted if a part has too many corners for one hull; increase hulls_max then.
+/// resource_exhausted if a part has no valid hull; increase hulls_max then. A smooth part with more
+/// corners than a hull can have gets a hull of its outermost corners.
 physics::Result<Decomposition> decompose(std::span<const physics::Vec3> vertices,
                                          std::span<const std::uint32_t> indices,
                                          const Options& options = {});

@@ -257,6 +257,24 @@ Status AdminControl::write_export(ExportedScene exported, v1::ExportWorldRespons
     return {};
 }
 
+Status AdminControl::remove_bodies(const v1::RemoveBodiesRequest& request,
+                                   v1::RemoveBodiesResponse& response) {
+    if (request.client() == scene_client)
+        return invalid_argument("client is 0; it must be the id of a client");
+    const auto world = find_world(context_, request.world());
+    if (!world.ok()) return world.error();
+    const WaitSlot slot(waiting_);
+    if (Status s = slot.admitted(); !s.ok()) return s;
+    std::size_t removed = 0;
+    const Status done = (*world)->between_ticks().run(
+        [&](HostedWorld& hosted) { removed = hosted.remove_bodies_of(request.client()); });
+    if (!done.ok()) return done;
+    log_info("world {}: an operator removed {} bodies of client {}", (*world)->id(), removed,
+             request.client());
+    response.set_bodies(static_cast<std::uint32_t>(removed));
+    return {};
+}
+
 Status AdminControl::backup(const v1::BackupRequest& request, v1::BackupResponse& response) {
     const Clock::time_point now = Clock::now();
     Result<BackupDownload::Piece> piece = Error{};

@@ -29,6 +29,8 @@ class ListClientsRequest;
 class ListClientsResponse;
 class ProfileRequest;
 class ProfileResponse;
+class RemoveBodiesRequest;
+class RemoveBodiesResponse;
 class RewindWorldRequest;
 class RewindWorldResponse;
 class SetPausedRequest;
@@ -69,6 +71,8 @@ public:
     Status step_world(const v1::StepWorldRequest& request, v1::StepWorldResponse& response);
     Status export_world(const v1::ExportWorldRequest& request, v1::ExportWorldResponse& response);
     Status rewind_world(const v1::RewindWorldRequest& request, v1::RewindWorldResponse& response);
+    Status remove_bodies(const v1::RemoveBodiesRequest& request,
+                         v1::RemoveBodiesResponse& response);
     Status backup(const v1::BackupRequest& request, v1::BackupResponse& response);
     // Call it every some seconds.
     void remove_idle_backup(Clock::time_point now) { backup_download_.remove_idle(now); }

@@ -2,8 +2,8 @@
 //
 // Limits on the bodies that players add to one world, by what they cost the others: a player behind
 // several clients has one allowance, a busy world accepts no further bodies, and a world that
-// cannot keep its rate loses bodies of whoever owns most. Not part of the state of the world: what
-// it removes is journaled. The tick thread only.
+// cannot keep its rate loses bodies of the clients that own most, in the account that owns most.
+// Not part of the state of the world: what it removes is journaled. The tick thread only.
 #pragma once
 
 #include <cstddef>
@@ -29,7 +29,7 @@ public:
     // `hz`: of the world.
     BodyLimits(const Settings& settings, double hz) : settings_(settings), hz_(hz) {}
 
-    // Why the command must not be applied; nothing: it may.
+    // Why the command must not be applied; nothing: it may. A spawn that may be applied counts.
     std::optional<Error> refusal(const Command& command, const Ownership& ownership);
     // The client leaves and its bodies stay.
     void on_retained(std::vector<EntityId> bodies, Clock::time_point now);
@@ -40,7 +40,6 @@ public:
     // Bodies to remove now, of clients that left and of a world that cannot keep its rate.
     struct Removal {
         std::vector<EntityId> expired, excess;
-        AccountId account = 0;  // of `excess`
     };
     Removal take_removals(const Ownership& ownership, Clock::time_point now);
 
@@ -48,12 +47,13 @@ public:
     double load() const { return load_; }
 
 private:
-    std::map<AccountId, std::vector<EntityId>> bodies_by_account(const Ownership& ownership) const;
+    std::vector<EntityId> find_excess(const Ownership& ownership) const;
 
     const Settings settings_;
     const double hz_;
     double load_ = 0;
     int overloaded_ticks_ = 0;
+    double spawns_left_ = 60;  // until the next tick
     // Of the clients that spawned bodies. Few clients; those that left are erased with their
     // bodies.
     std::map<ClientId, AccountId> accounts_;

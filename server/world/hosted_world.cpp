@@ -143,6 +143,14 @@ void HostedWorld::remove_entities(std::span<const EntityId> entities) {
                 .expect();
 }
 
+std::size_t HostedWorld::remove_bodies_of(ClientId client) {
+    std::vector<EntityId> bodies;
+    for (const auto& entity : *state_.entities.list())
+        if (entity->owner == client) bodies.push_back(entity->id);
+    remove_entities(bodies);
+    return bodies.size();
+}
+
 void HostedWorld::replay(const JournaledCommand& command) {
     const bool has = command.action.has_value();
     const bool is_leave = has && std::holds_alternative<LeaveCommand>(*command.action);

@@ -49,6 +49,8 @@ public:
     InputResult apply(const Command& command, std::uint32_t tick);
     // Removes entities, whoever owns them; unknown ones are skipped.
     void remove_entities(std::span<const EntityId> entities);
+    // Removes the bodies that the client spawned and returns their number.
+    std::size_t remove_bodies_of(ClientId client);
     // apply() and remove_entities() record commands for take_journal() from now on.
     void enable_journal() { journal_enabled_ = true; }
     // Returns the commands that were applied since the previous call.

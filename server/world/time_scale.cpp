@@ -35,7 +35,7 @@ TimeScale::Change TimeScale::poll_change(Clock::time_point now) {
     if (slices_.empty() || now - slices_.front().begun < from_seconds(window_seconds))
         return Change::none;
     const bool was_behind = is_behind_;
-    is_behind_ = value(now) < behind_below;
+    is_behind_ = value(now) < (was_behind ? caught_up_above : behind_below);
     if (is_behind_ && (!was_behind || now - reported_ >= report_period)) {
         reported_ = now;
         return Change::behind;

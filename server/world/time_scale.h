@@ -14,7 +14,7 @@ namespace jostle::server {
 class TimeScale {
 public:
     static constexpr double window_seconds = 5;
-    static constexpr double behind_below = 0.95;
+    static constexpr double behind_below = 0.95, caught_up_above = 0.98;
 
     explicit TimeScale(double hz) : hz_(hz) {}
 
@@ -26,7 +26,7 @@ public:
     double value(Clock::time_point now) const;
 
     // A change that is worth a log line: the time scale fell below 0.95 over a whole window, or
-    // rose above it again. Reports a world that stays behind once per minute.
+    // rose above 0.98 again. Reports a world that stays behind once per minute.
     enum class Change { none, behind, caught_up };
     Change poll_change(Clock::time_point now);
 

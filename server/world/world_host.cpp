@@ -256,8 +256,8 @@ void WorldHost::remove_excess_bodies(Clock::time_point now) {
     if (removal.excess.empty()) return;
     world_.remove_entities(removal.excess);
     log_warn(
-        "world {} \"{}\" cannot keep its rate (load {:.2f}): removed the {} oldest bodies of the "
-        "player with most bodies",
+        "world {} \"{}\" cannot keep its rate (load {:.2f}): removed {} bodies of the players with "
+        "most bodies",
         id(), name(), body_limits_.load(), removal.excess.size());
 }
 

@@ -254,6 +254,17 @@ Outcome rewind(Connection& server, const CommandArguments& arguments) {
                           (response.ok() ? std::to_string(response->tick()) : ""));
 }
 
+Outcome remove_bodies(Connection& server, const CommandArguments& arguments) {
+    v1::RemoveBodiesRequest request;
+    request.set_world(arguments.world);
+    request.set_client(arguments.client);
+    const auto response = server.call(&Admin::RemoveBodies, request, std::chrono::seconds(60));
+    return to_outcome(response, arguments,
+                      (response.ok() ? std::to_string(response->bodies()) : "") +
+                          " bodies of client " + std::to_string(arguments.client) +
+                          " were removed from " + sanitized(arguments.world));
+}
+
 Outcome backup(Connection& server, const CommandArguments& arguments) {
     const std::string part = arguments.file + ".part";
     std::ofstream file(part, std::ios::binary | std::ios::trunc);

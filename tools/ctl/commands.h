@@ -45,6 +45,8 @@ Outcome export_world(Connection& server, const CommandArguments& arguments);
 Outcome rewind(Connection& server, const CommandArguments& arguments);
 // Downloads a backup of the database to `file`.
 Outcome backup(Connection& server, const CommandArguments& arguments);
+// Removes the bodies that `client` spawned in `world`.
+Outcome remove_bodies(Connection& server, const CommandArguments& arguments);
 Outcome drain(Connection& server, const CommandArguments& arguments);
 Outcome profile(Connection& server, const CommandArguments& arguments);
 

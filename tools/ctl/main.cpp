@@ -180,6 +180,13 @@ void add_client_commands(CLI::App& app, Flags& flags) {
             ->check(CLI::Range(0.0, 87600.0).description(""));
     }
     add(app, flags, "bans", "List the bans", jostle::ctl::list_bans);
+    CLI::App* const remove_bodies =
+        add(app, flags, "remove-bodies", "Remove the bodies that a client spawned in a world",
+            jostle::ctl::remove_bodies);
+    add_world_argument(remove_bodies, flags);
+    remove_bodies->add_option("CLIENT", w.client, "Id of the client, also one that has left")
+        ->type_name("")
+        ->required();
     CLI::App* const backup =
         add(app, flags, "backup", "Download a backup of all persisted worlds", jostle::ctl::backup);
     backup->add_option("FILE", w.file, "File to write")->type_name("")->required();

@@ -141,6 +141,32 @@ TEST(WorldArchive, world_is_bit_identical_after_three_killed_processes) {
     EXPECT_EQ(persisted_worlds_in(folder / "worlds.db", tick).hash, hash_of(*alone));
 }
 
+TEST(WorldArchive, bodies_removed_by_the_host_stay_removed_after_recovery) {
+    const test::TempFolder folder;
+    const auto reply = std::make_shared<ResultQueue>();
+    Process process(folder / "worlds.db");
+    const auto world = process.create("yard");
+    Process::play(*world, 50, reply);
+    std::size_t removed = 0;
+    std::jthread operation([&] {
+        world->between_ticks()
+            .run([&](HostedWorld& hosted) { removed = hosted.remove_bodies_of(1); })
+            .expect();
+    });
+    while (removed == 0) {
+        Process::play(*world, 1, reply);
+        std::this_thread::sleep_for(1ms);
+    }
+    operation.join();
+    Process::play(*world, 30, reply);
+    ASSERT_TRUE(process.archive->flush(5s));
+    const std::uint32_t tick = world->frame()->tick;
+    const std::uint64_t hash = hash_of(*world);
+    EXPECT_GT(removed, 3u);
+    process.kill();
+    EXPECT_EQ(persisted_worlds_in(folder / "worlds.db", tick).hash, hash);
+}
+
 TEST(WorldArchive, clean_shutdown_writes_a_final_checkpoint) {
     const test::TempFolder folder;
     std::uint32_t tick = 0;

@@ -59,19 +59,39 @@ TEST(BodyLimits, a_busy_world_refuses_spawns_but_nothing_else) {
     EXPECT_FALSE(limits.refusal(impulse, ownership).has_value());
 }
 
+TEST(BodyLimits, bodies_arrive_more_slowly_the_busier_the_world_is) {
+    const Ownership ownership;
+    const auto accepted_per_second = [&](double load) {
+        BodyLimits limits({}, tick_hz);
+        run_busy(limits, load, 5);
+        int accepted = 0;
+        for (int second = 0; second < 4; second++)
+            for (int tick = 0; tick < tick_hz; tick++) {
+                for (int k = 0; k < 20; k++)
+                    accepted += limits.refusal(spawn_of(1, 7), ownership) ? 0 : 1;
+                limits.end_tick(load / tick_hz, true);
+            }
+        return accepted / 4;
+    };
+    EXPECT_NEAR(accepted_per_second(0), 240 + 30, 5) << "and half a second's at once";
+    EXPECT_NEAR(accepted_per_second(0.35), 120 + 30, 5);
+    EXPECT_EQ(accepted_per_second(0.9), 0);
+}
+
 TEST(BodyLimits, an_overloaded_world_loses_the_oldest_bodies_of_whoever_owns_most) {
     BodyLimits limits({}, tick_hz);
     Ownership ownership;
-    for (ClientId client = 1; client <= 3; client++)
+    for (ClientId client = 1; client <= 4; client++)
         static_cast<void>(limits.refusal(spawn_of(client, client == 3 ? 8 : 7), ownership));
-    for (EntityId k = 0; k < 60; k++) ownership.add(1 + k % 2, 100 + k);  // of account 7
-    for (EntityId k = 0; k < 40; k++) ownership.add(3, 200 + k);          // of account 8
+    // Of account 7, one client has a few.
+    for (EntityId k = 0; k < 56; k++) ownership.add(1 + k % 2, 104 + k);
+    for (EntityId k = 0; k < 4; k++) ownership.add(4, 100 + k);
+    for (EntityId k = 0; k < 40; k++) ownership.add(3, 200 + k);  // of account 8
     run_busy(limits, 1.5, 0.5);
     EXPECT_TRUE(limits.take_removals(ownership, {}).excess.empty()) << "for half a second only";
     run_busy(limits, 1.5, 1.5);
     const BodyLimits::Removal removal = limits.take_removals(ownership, {});
-    EXPECT_EQ(removal.account, 7u);
-    EXPECT_EQ(removal.excess, (std::vector<EntityId>{100, 101, 102, 103, 104, 105}));
+    EXPECT_EQ(removal.excess, (std::vector<EntityId>{104, 105, 106, 107, 108, 109}));
     for (const EntityId entity : removal.excess) ownership.remove(entity);
     int more = 0;
     for (int k = 0; k < 40; k++) {
@@ -82,6 +102,7 @@ TEST(BodyLimits, an_overloaded_world_loses_the_oldest_bodies_of_whoever_owns_mos
         }
     }
     EXPECT_EQ(more, 74) << "each account keeps ten bodies";
+    EXPECT_EQ(ownership.count(4), 4) << "of clients with few bodies";
     run_busy(limits, 0.5, 2);
     EXPECT_TRUE(limits.take_removals(ownership, {}).excess.empty());
 }

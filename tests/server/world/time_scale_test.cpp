@@ -69,5 +69,24 @@ TEST(TimeScale, a_pause_does_not_count) {
     EXPECT_NEAR(scale.value(now), 1, 0.01);
 }
 
+// A world that hovers about the limit is not reported again and again.
+TEST(TimeScale, reports_one_change_of_a_value_about_the_limit) {
+    TimeScale scale(100);
+    Clock::time_point now{};
+    int behind = 0, caught_up = 0;
+    for (int second = 0; second < 50; second++) {
+        const int ticks = second % 2 == 0 ? 92 : 97;
+        for (int k = 0; k < ticks; k++) {
+            now += std::chrono::nanoseconds(1'000'000'000 / ticks);
+            scale.count_tick(now);
+            const TimeScale::Change change = scale.poll_change(now);
+            behind += change == TimeScale::Change::behind ? 1 : 0;
+            caught_up += change == TimeScale::Change::caught_up ? 1 : 0;
+        }
+    }
+    EXPECT_EQ(behind, 1);
+    EXPECT_EQ(caught_up, 0);
+}
+
 }  // namespace
 }  // namespace jostle::server

@@ -16,9 +16,9 @@
 #include "server/recovery/checkpoint_data.h"
 #include "server/recovery/journal_codec.h"
 #include "server/recovery/world_storage_copy.h"
-#include "server/storage/backup.h"
 #include "server/storage/compression.h"
 #include "server/storage/journal_chain.h"
+#include "server/storage/online_backup.h"
 #include "server/util/bytes.h"
 #include "server/util/log.h"
 

@@ -1,19 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "server/storage/backup.h"
 
-#include <fcntl.h>
 #include <unistd.h>
 
 #include <algorithm>
-#include <array>
-#include <cerrno>
-#include <cstring>
 #include <ctime>
 #include <filesystem>
+#include <memory>
 #include <utility>
 
-#include "jostle/base/check.h"
-#include "server/storage/sqlite_schema.h"
+#include "server/storage/online_backup.h"
 #include "server/storage/sqlite_storage.h"
 
 namespace jostle::server {
@@ -23,20 +19,6 @@ namespace fs = std::filesystem;
 
 // The files of a database, by the suffixes of their names.
 constexpr const char* suffixes[] = {"", "-wal", "-shm", ".head", ".marks"};
-
-Status sync_file(const std::string& path) {
-    const int file = ::open(path.c_str(), O_RDONLY | O_CLOEXEC);
-    const bool ok = file >= 0 && ::fsync(file) == 0;
-    const int error = errno;
-    if (file >= 0) ::close(file);
-    if (ok) return {};
-    return Error{ErrorCode::unavailable, path + ": " + std::strerror(error)};
-}
-
-std::string folder_of(const std::string& path) {
-    const std::string folder = fs::path(path).parent_path().string();
-    return folder.empty() ? "." : folder;
-}
 
 // Whether another process has the database open. Opening it would take its lock.
 Status check_unused(const std::string& path) {
@@ -48,60 +30,11 @@ Status check_unused(const std::string& path) {
 
 }  // namespace
 
-Result<std::unique_ptr<OnlineBackup>> OnlineBackup::begin(SqliteDatabase& source,
-                                                          const std::string& path) {
-    if (::access(path.c_str(), F_OK) == 0)
-        return Error{ErrorCode::already_exists, path + " exists already"};
-    Result<SqliteDatabase> copy = SqliteDatabase::open(path, nullptr, true);
-    if (!copy.ok()) return Error{copy.error().code, path + ": " + copy.error().message};
-    std::unique_ptr<OnlineBackup> backup(new OnlineBackup(*std::move(copy), path));
-    backup->backup_.reset(
-        sqlite3_backup_init(backup->copy_.handle(), "main", source.handle(), "main"));
-    if (!backup->backup_)
-        return Error{ErrorCode::unavailable, path + ": " + sqlite3_errmsg(backup->copy_.handle())};
-    return backup;
-}
-
-OnlineBackup::~OnlineBackup() {
-    backup_.reset();
-    if (is_finished_) return;
-    ::unlink(path_.c_str());
-    ::unlink((path_ + "-journal").c_str());
-}
-
-Result<bool> OnlineBackup::step(int pages) {
-    ASSERT(backup_ && pages > 0);
-    switch (const int code = sqlite3_backup_step(backup_.get(), pages)) {
-        case SQLITE_OK:
-            return false;
-        case SQLITE_DONE:
-            return true;
-        case SQLITE_FULL:
-            return Error{ErrorCode::resource_exhausted, path_ + ": the disk is full"};
-        default:
-            return Error{ErrorCode::unavailable, path_ + ": " + sqlite3_errstr(code)};
-    }
-}
-
-Status OnlineBackup::finish() {
-    ASSERT(backup_);
-    const int code = sqlite3_backup_finish(backup_.release());
-    if (code != SQLITE_OK)
-        return Error{ErrorCode::unavailable, path_ + ": " + sqlite3_errstr(code)};
-    // One file: without a write-ahead log.
-    Status done = copy_.execute(
-        "PRAGMA journal_mode = DELETE; PRAGMA synchronous = FULL;"
-        "UPDATE head SET is_backup = 1");
-    if (done.ok()) done = sync_file(folder_of(path_));
-    is_finished_ = done.ok();
-    return done;
-}
-
 Result<StoreReport> verify_store(const std::string& path) {
     Result<std::unique_ptr<SqliteStorage>> storage =
         SqliteStorage::open(path, {.create = false, .is_read_only = true});
     if (!storage.ok()) return storage.error();
-    StoreReport report = (*storage)->report();
+    StoreReport report{(*storage)->summary(), {}, {}};
     if (!(*storage)->damage().store.empty()) report.errors.push_back((*storage)->damage().store);
     for (const auto& [world, damage] : (*storage)->damage().worlds)
         report.errors.push_back("world " + world + ": " + damage);
@@ -152,7 +85,7 @@ Result<std::vector<std::string>> restore_store(const std::string& backup, const 
     fs::copy_file(backup, copy, fs::copy_options::overwrite_existing, error);
     if (error) return Error{ErrorCode::unavailable, copy + ": " + error.message()};
     fs::permissions(copy, fs::perms::owner_read | fs::perms::owner_write, error);
-    if (Status s = sync_file(copy); !s.ok()) {
+    if (Status s = sync_path(copy); !s.ok()) {
         ::unlink(copy.c_str());
         return s.error();
     }
@@ -179,7 +112,7 @@ Result<std::vector<std::string>> restore_store(const std::string& backup, const 
         undo();
         return failed;
     }
-    if (Status s = sync_file(folder_of(path)); !s.ok()) return s.error();
+    if (Status s = sync_path(folder_of(path)); !s.ok()) return s.error();
     return renamed;
 }
 

@@ -1,56 +1,25 @@
 // SPDX-License-Identifier: MIT
 //
-// Backups of a database of worlds: one file with the state after some commit. A finished backup is
-// marked as such and needs no head file; a server that opens it writes one.
+// Verifies databases and backups that no server uses, and restores backups.
 #pragma once
 
-#include <sqlite3.h>
-
 #include <cstdint>
-#include <memory>
 #include <string>
 #include <vector>
 
 #include "jostle/base/result.h"
-#include "server/storage/sqlite_database.h"
+#include "server/storage/sqlite_storage.h"
 
 namespace jostle::server {
 
-// Copies an open database with SQLite's online backup: changes written in between through the same
-// connection are part of the copy. All functions on the thread that uses the database.
-class OnlineBackup {
-public:
-    // `path` must not exist.
-    static Result<std::unique_ptr<OnlineBackup>> begin(SqliteDatabase& source,
-                                                       const std::string& path);
-    // Deletes an unfinished copy.
-    ~OnlineBackup();
-
-    // Copies up to `pages` pages. True: all are copied.
-    Result<bool> step(int pages);
-    // After the last step: marks the copy as a backup and makes it durable.
-    Status finish();
-
-private:
-    OnlineBackup(SqliteDatabase copy, std::string path)
-        : copy_(std::move(copy)), path_(std::move(path)) {}
-
-    SqliteDatabase copy_;
-    std::string path_;
-    std::unique_ptr<sqlite3_backup, FreeWith<sqlite3_backup_finish>> backup_;
-    bool is_finished_ = false;
-};
-
 // The content of a database or backup, as verify_store() found it.
-struct StoreReport {
+struct StoreReport : StoreSummary {
     struct World {
         std::string id, name;
         std::uint32_t last_tick = 0;
         std::uint64_t checkpoints = 0, entries = 0;
     };
     std::vector<World> worlds;
-    std::uint64_t commits = 0, written = 0, bytes = 0;  // `written`: seconds since 1970
-    bool is_backup = false;
     std::vector<std::string> errors;  // damage, one sentence each
 };
 

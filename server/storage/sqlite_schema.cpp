@@ -195,7 +195,7 @@ Status open_schema(SqliteDatabase& database, OpenMode mode, HeadFile& head,
                              : "it is in the state of an older version of Jostle") +
                          ", but " + head.path() + " says that it was in use" +
                          (content.head ? " until " + utc_text(content.head->written) : "") +
-                         "; restore a backup, or delete that file to begin anew"};
+                         "; restore a backup, or delete that file to start without it"};
     if (is_reading && !has_head)
         return Error{ErrorCode::corrupt_data,
                      is_new

@@ -15,8 +15,8 @@
 #include <vector>
 
 #include "jostle/base/check.h"
-#include "server/storage/backup.h"
 #include "server/storage/journal_chain.h"
+#include "server/storage/online_backup.h"
 #include "server/storage/sqlite_database.h"
 #include "server/storage/sqlite_schema.h"
 #include "server/storage/store_head.h"
@@ -377,7 +377,7 @@ Result<std::unique_ptr<SqliteStorage>> SqliteStorage::open(const std::string& pa
                      {ErrorCode::corrupt_data,
                       "it is missing, but " + head->path() + " says that it was in use until " +
                           utc_text(content->head->written) +
-                          "; restore a backup, or delete that file to begin anew"});
+                          "; restore a backup, or delete that file to start without it"});
     Result<SqliteDatabase> opened =
         SqliteDatabase::open(path, options.file_system, options.create, options.is_read_only);
     if (!opened.ok()) return named(path, opened.error());
@@ -461,14 +461,12 @@ Status SqliteStorage::check_rows(std::vector<std::string>& errors) {
     });
 }
 
-StoreReport SqliteStorage::report() {
+StoreSummary SqliteStorage::summary() {
     const StoreHead& head = database_->head();
-    return {.worlds = {},
-            .commits = head.commits,
+    return {.commits = head.commits,
             .written = head.written,
             .bytes = bytes_on_disk(),
-            .is_backup = database_->is_backup(),
-            .errors = {}};
+            .is_backup = database_->is_backup()};
 }
 
 Result<std::unique_ptr<OnlineBackup>> SqliteStorage::begin_backup(const std::string& path) {

@@ -39,7 +39,12 @@ struct StorageDamage {
 
 class HeadFile;
 class OnlineBackup;
-struct StoreReport;
+
+struct StoreSummary {
+    std::uint64_t commits = 0, written = 0;  // `written`: of the last one, in seconds since 1970
+    std::uint64_t bytes = 0;                 // of all files
+    bool is_backup = false;                  // a finished backup that no server has opened yet
+};
 
 class SqliteStorage : public WorldStorage {
 public:
@@ -66,8 +71,7 @@ public:
     Result<std::optional<std::string>> note(const std::string& name) override;
     // Compares each row with its own digest and appends the differences, one sentence each.
     Status check_rows(std::vector<std::string>& errors);
-    // Without its worlds and errors.
-    StoreReport report();
+    StoreSummary summary();
     // Begins a copy to a file that does not exist yet.
     Result<std::unique_ptr<OnlineBackup>> begin_backup(const std::string& path);
     Status check_files() override;

@@ -92,7 +92,7 @@ LAYERS = {
     "tools/record": ["clients/cpp/core", "clients/cpp/cli", "clients/cpp/recording"],
     "tools/replay": [PUBLIC, "tools/common", "clients/cpp/core", "clients/cpp/recording", "proto/snapshot", "scenes/include",
                      "server/util", "server/storage", "server/world", "server/recovery", GENERATED],
-    "tools/ctl": ["tools/common", "clients/cpp/core", "clients/cpp/cli", "proto/grpc_status", GENERATED],
+    "tools/ctl": ["tools/common", "clients/cpp/core", "clients/cpp/cli", "proto/grpc_status", "server/storage", GENERATED],
     "tools/load": ["tools/common", "clients/cpp/core", "clients/cpp/cli", "clients/bot", "proto/http2", GENERATED],
     "bench": [PUBLIC, *PHYSICS, "physics/src/constraints", "physics/src/serialization", "physics/src/stages",
               "physics/src/world", *MODULES, "proto/snapshot", "scenes/include", "server/recovery", "server/storage",

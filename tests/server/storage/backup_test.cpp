@@ -7,6 +7,7 @@
 #include <memory>
 #include <vector>
 
+#include "server/storage/online_backup.h"
 #include "server/storage/sqlite_storage.h"
 #include "tests/server/storage/journals.h"
 #include "tests/support/error_of.h"

@@ -4,6 +4,8 @@
 #include <grpcpp/create_channel.h>
 #include <gtest/gtest.h>
 #include <signal.h>
+#include <sys/wait.h>
+#include <unistd.h>
 
 #include <boost/asio/io_context.hpp>
 #include <boost/asio/ip/tcp.hpp>
@@ -54,6 +56,54 @@ bool request_raw(int port, const std::string& bytes, const std::string& expected
         asio::async_read_until(socket, asio::dynamic_buffer(answer), expected, [](auto, auto) {});
     io.run_for(expected.empty() ? 500ms : 10s);
     return answer.find(expected) != std::string::npos;
+}
+
+// A machine without processor time, and a process that was stopped, are no faults of a world.
+TEST(Lifecycle, twenty_busy_processes_and_a_stopped_process_pause_no_world) {
+    ServerProcess server(
+        free_ports({"--scene", "sandbox", "--scene", "pile", "--admin", "127.0.0.1:0"}));
+    ASSERT_TRUE(server.is_running()) << server.log();
+    std::vector<pid_t> busy;
+    for (int k = 0; k < 20; k++) {
+        const pid_t child = fork();
+        if (child == 0)
+            for (std::mt19937 work;;) work.discard(1000);
+        busy.push_back(child);
+    }
+    std::this_thread::sleep_for(3s);
+    EXPECT_TRUE(request_raw(server.http_port(), "GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n",
+                            "200 OK"));
+    server.signal(SIGSTOP);
+    std::this_thread::sleep_for(3s);
+    server.signal(SIGCONT);
+    EXPECT_TRUE(request_raw(server.http_port(), "GET /healthz HTTP/1.1\r\nHost: localhost\r\n\r\n",
+                            "200 OK"));
+    for (const pid_t child : busy) {
+        kill(child, SIGKILL);
+        waitpid(child, nullptr, 0);
+    }
+    const auto worlds = world_service(server);
+    grpc::ClientContext context;
+    v1::ListWorldsResponse listed;
+    ASSERT_TRUE(worlds->ListWorlds(&context, {}, &listed).ok());
+    ASSERT_EQ(listed.worlds_size(), 2);
+    for (const v1::WorldInfo& world : listed.worlds())
+        EXPECT_EQ(world.paused(), "") << world.name();
+    EXPECT_EQ(server.log().find("was paused"), std::string::npos) << server.log();
+    EXPECT_EQ(server.log().find(" error "), std::string::npos) << server.log();
+}
+
+TEST(Lifecycle, a_taken_port_is_one_error_line) {
+    ServerProcess first(free_ports({"--scene", "stack"}));
+    ASSERT_TRUE(first.is_running()) << first.log();
+    ServerProcess second({"--scene", "stack", "--listen", "127.0.0.1:0", "--http",
+                          "127.0.0.1:" + std::to_string(first.http_port())});
+    EXPECT_EQ(second.wait(10s), 1);
+    const std::string log = second.log();
+    const std::size_t error = log.find(" error ");
+    ASSERT_NE(error, std::string::npos) << log;
+    EXPECT_EQ(log.find(" error ", error + 1), std::string::npos) << log;
+    EXPECT_NE(log.find("Address already in use", error), std::string::npos) << log;
 }
 
 TEST(Lifecycle, sigterm_notifies_clients_and_exits_with_0) {

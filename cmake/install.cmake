@@ -44,7 +44,9 @@ install(FILES ${PROJECT_BINARY_DIR}/jostleConfig.cmake ${PROJECT_BINARY_DIR}/jos
     DESTINATION ${jostle_cmake_dir} COMPONENT dev)
 
 if(JOSTLE_SERVER AND JOSTLE_RPC)
-    install(TARGETS jostle-server jostlectl jostle-bot jostle-load jostle-record jostle-replay jostle-sim jostle-mesh jostle-bench COMPONENT programs)
+    set(jostle_programs jostle-server jostlectl jostle-bot jostle-load jostle-record jostle-replay jostle-sim jostle-mesh
+        jostle-bench)
+    install(TARGETS ${jostle_programs} COMPONENT programs)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/clients/web/dist/ DESTINATION ${CMAKE_INSTALL_DATADIR}/jostle/web COMPONENT programs)
     install(DIRECTORY ${PROJECT_SOURCE_DIR}/clients/bot/scripts DESTINATION ${CMAKE_INSTALL_DATADIR}/jostle COMPONENT programs)
     install(FILES ${PROJECT_SOURCE_DIR}/server/jostle-server.toml ${PROJECT_SOURCE_DIR}/deploy/systemd/jostle-server.default
@@ -52,6 +54,19 @@ if(JOSTLE_SERVER AND JOSTLE_RPC)
     install(FILES ${PROJECT_SOURCE_DIR}/deploy/systemd/jostle-server.service DESTINATION lib/systemd/system COMPONENT programs)
     install(FILES ${PROJECT_SOURCE_DIR}/deploy/systemd/jostle-sysusers.conf DESTINATION lib/sysusers.d RENAME jostle.conf
         COMPONENT programs)
+endif()
+# The software bill of materials names the installed versions of Debian's packages, so only Debian has one. It is made
+# from the installed programs, because CPack strips them.
+find_program(JOSTLE_DPKG_QUERY dpkg-query)
+find_package(Python3 COMPONENTS Interpreter)
+if(JOSTLE_SERVER AND JOSTLE_RPC AND JOSTLE_DPKG_QUERY AND Python3_FOUND)
+    string(JOIN " " programs ${jostle_programs})
+    install(CODE "
+        set(programs ${programs})
+        list(TRANSFORM programs PREPEND \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_BINDIR}/\")
+        execute_process(COMMAND \"${Python3_EXECUTABLE}\" \"${PROJECT_SOURCE_DIR}/scripts/sbom\"
+            -o \"${PROJECT_BINARY_DIR}/sbom.spdx.json\" \${programs} COMMAND_ERROR_IS_FATAL ANY)" COMPONENT programs)
+    install(FILES ${PROJECT_BINARY_DIR}/sbom.spdx.json DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
 endif()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
     DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)

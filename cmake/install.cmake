@@ -61,11 +61,12 @@ find_program(JOSTLE_DPKG_QUERY dpkg-query)
 find_package(Python3 COMPONENTS Interpreter)
 if(JOSTLE_SERVER AND JOSTLE_RPC AND JOSTLE_DPKG_QUERY AND Python3_FOUND)
     string(JOIN " " programs ${jostle_programs})
+    # The install script compares names of components with if(), which would expand a variable named like one.
     install(CODE "
-        set(programs ${programs})
-        list(TRANSFORM programs PREPEND \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_BINDIR}/\")
+        set(jostle_programs ${programs})
+        list(TRANSFORM jostle_programs PREPEND \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_BINDIR}/\")
         execute_process(COMMAND \"${Python3_EXECUTABLE}\" \"${PROJECT_SOURCE_DIR}/scripts/sbom\"
-            -o \"${PROJECT_BINARY_DIR}/sbom.spdx.json\" \${programs} COMMAND_ERROR_IS_FATAL ANY)" COMPONENT programs)
+            -o \"${PROJECT_BINARY_DIR}/sbom.spdx.json\" \${jostle_programs} COMMAND_ERROR_IS_FATAL ANY)" COMPONENT programs)
     install(FILES ${PROJECT_BINARY_DIR}/sbom.spdx.json DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
 endif()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md

@@ -83,6 +83,34 @@ if(JOSTLE_SANITIZE)
     endif()
 endif()
 
+# Hardening against memory errors: docs/design/security_model.md explains the flags, tests/deploy/check_hardening.py checks
+# the built programs. _FORTIFY_SOURCE needs an optimized build, and sanitizers replace it.
+if(PROJECT_IS_TOP_LEVEL AND CMAKE_BUILD_TYPE MATCHES "^(Release|RelWithDebInfo|MinSizeRel)$" AND NOT JOSTLE_SANITIZE
+        AND NOT JOSTLE_SOLVER_ONLY)
+    set(hardened_by_default ON)
+else()
+    set(hardened_by_default OFF)
+endif()
+option(JOSTLE_HARDENED "Harden programs against memory errors: checked library calls, stack protectors, full RELRO"
+    ${hardened_by_default})
+if(JOSTLE_HARDENED)
+    if(JOSTLE_SANITIZE)
+        message(FATAL_ERROR "JOSTLE_HARDENED cannot be combined with JOSTLE_SANITIZE: configure with -DJOSTLE_HARDENED=OFF")
+    endif()
+    add_compile_options(-fstack-protector-strong -fstack-clash-protection)
+    if(CMAKE_SYSTEM_PROCESSOR MATCHES "x86_64|AMD64")
+        add_compile_options(-fcf-protection=full)
+    elseif(CMAKE_SYSTEM_PROCESSOR MATCHES "aarch64|arm64")
+        add_compile_options(-mbranch-protection=standard)
+    endif()
+    # A distribution's compiler may define it already, and a second definition is a warning.
+    add_compile_options(-U_FORTIFY_SOURCE $<$<NOT:$<CONFIG:Debug>>:-D_FORTIFY_SOURCE=3>)
+    add_compile_definitions($<$<NOT:$<BOOL:$<TARGET_PROPERTY:JOSTLE_UNASSERTED>>>:_GLIBCXX_ASSERTIONS>)
+    add_link_options(LINKER:-z,relro,-z,now,-z,noexecstack)
+    include(CheckPIESupported)
+    check_pie_supported()  # CMake passes -pie to the linker only after this check
+endif()
+
 # An optimized address sanitizer build takes twice as long to compile, and its tests are not limited by run time.
 function(jostle_unoptimised_when_sanitized)
     if(JOSTLE_SANITIZE MATCHES address)

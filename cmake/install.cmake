@@ -85,6 +85,20 @@ if(JOSTLE_SERVER AND JOSTLE_RPC)
     install(FILES ${PROJECT_SOURCE_DIR}/deploy/systemd/jostle-sysusers.conf DESTINATION lib/sysusers.d RENAME jostle.conf
         COMPONENT programs)
 endif()
+# The software bill of materials names the installed versions of Debian's packages, so only Debian has one. It is made
+# from the installed programs, because CPack strips them.
+find_program(JOSTLE_DPKG_QUERY dpkg-query)
+find_package(Python3 COMPONENTS Interpreter)
+if(JOSTLE_SERVER AND JOSTLE_RPC AND JOSTLE_DPKG_QUERY AND Python3_FOUND)
+    string(JOIN " " programs ${jostle_programs})
+    # The install script compares names of components with if(), which would expand a variable named like one.
+    install(CODE "
+        set(jostle_programs ${programs})
+        list(TRANSFORM jostle_programs PREPEND \"\$ENV{DESTDIR}\${CMAKE_INSTALL_PREFIX}/${CMAKE_INSTALL_BINDIR}/\")
+        execute_process(COMMAND \"${Python3_EXECUTABLE}\" \"${PROJECT_SOURCE_DIR}/scripts/sbom\"
+            -o \"${PROJECT_BINARY_DIR}/sbom.spdx.json\" \${jostle_programs} COMMAND_ERROR_IS_FATAL ANY)" COMPONENT programs)
+    install(FILES ${PROJECT_BINARY_DIR}/sbom.spdx.json DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
+endif()
 install(FILES ${PROJECT_SOURCE_DIR}/LICENSE ${PROJECT_SOURCE_DIR}/README.md ${PROJECT_SOURCE_DIR}/CHANGELOG.md
     DESTINATION ${CMAKE_INSTALL_DOCDIR} COMPONENT programs)
 

@@ -5,9 +5,11 @@
 
 #include <array>
 #include <boost/asio/ip/tcp.hpp>
+#include <boost/asio/post.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
 #include <chrono>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "jostle/base/check.h"
@@ -23,8 +25,14 @@ using boost::asio::const_buffer;
 
 namespace {
 
-constexpr auto handshake_timeout = std::chrono::seconds(5);  // also for the closing handshake
+constexpr auto closing_timeout = std::chrono::seconds(5);
+// Beast has one timeout for both handshakes. It is longer than ours of the closing handshake, so
+// that abort() comes first: in Beast 1.74 a read that waits for the closing handshake can receive
+// the timeout, which an assertion of Beast forbids.
+constexpr auto handshake_timeout = 2 * closing_timeout;
 constexpr auto last_write_timeout = std::chrono::seconds(1);
+// Turns of the event loop in which cancelled operations complete. Each needs one or two.
+constexpr int release_turns = 4;
 
 websocket::close_code close_code_of(ErrorCode code) {
     switch (code) {
@@ -87,7 +95,7 @@ void WebSocketSession::start(const Request& upgrade) {
 }
 
 void WebSocketSession::on_accepted(beast::error_code error) {
-    if (error || !socket_) return;  // the socket closes with the last reference to this session
+    if (error || aborted_) return;  // the socket closes with the last reference to this session
     ASSERT(!session_);
     session_.emplace(
         context_,
@@ -108,7 +116,7 @@ void WebSocketSession::read() {
 }
 
 void WebSocketSession::on_read(beast::error_code error) {
-    if (!socket_) return;
+    if (aborted_) return;
     const Clock::time_point now = Clock::now();
     if (error == websocket::error::message_too_big) {
         session_->refuse(Error{ErrorCode::resource_exhausted, "the message is too large"}, now);
@@ -128,7 +136,7 @@ void WebSocketSession::on_read(beast::error_code error) {
 }
 
 void WebSocketSession::on_wrote(beast::error_code error) {
-    if (!socket_) return;
+    if (aborted_) return;
     const Clock::time_point now = Clock::now();
     writing_ = false;
     if (error) session_->on_peer_closed(now);
@@ -136,9 +144,9 @@ void WebSocketSession::on_wrote(beast::error_code error) {
 }
 
 void WebSocketSession::advance(Clock::time_point now) {
-    if (!session_ || !socket_) return;
+    if (!session_ || aborted_) return;
     if (closing_since_) {
-        if (now >= *closing_since_ + handshake_timeout) abort();
+        if (now >= *closing_since_ + closing_timeout) abort();
         return;
     }
     if (writing_) {
@@ -177,7 +185,16 @@ void WebSocketSession::close(const Status& end, Clock::time_point now) {
 }
 
 void WebSocketSession::abort() {
-    socket_.reset();
+    if (std::exchange(aborted_, true)) return;
+    // Cancels the operations of the TCP socket, which complete in the next turns.
+    socket_->next_layer().tcp().close();
+    release_stream(release_turns);
+}
+
+void WebSocketSession::release_stream(int turns) {
+    if (turns == 0) return socket_.reset();
+    boost::asio::post(socket_->get_executor(),
+                      [self = shared_from_this(), turns] { self->release_stream(turns - 1); });
 }
 
 }  // namespace jostle::server

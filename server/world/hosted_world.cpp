@@ -118,6 +118,15 @@ InputResult HostedWorld::apply(const Command& command, std::uint32_t tick) {
     return result;
 }
 
+InputResult HostedWorld::refuse(const Command& command, Status reason, std::uint32_t tick) {
+    InputResult result{.sequence = command.sequence, .tick = tick};
+    result.status = accept_sequence(command.client, command.sequence);
+    if (!result.status.ok()) return result;
+    if (journal_enabled_) journal_.push_back({command.client, command.sequence, std::nullopt});
+    result.status = std::move(reason);
+    return result;
+}
+
 // The journal also records refused actions, because they may have side effects.
 Status HostedWorld::apply_and_record(const Command& command, InputResult& result) {
     Action aimed;

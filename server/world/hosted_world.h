@@ -47,11 +47,14 @@ public:
 
     // Applies an input at most once: refuses a sequence that does not exceed the client's last one.
     InputResult apply(const Command& command, std::uint32_t tick);
+    // The input is not applied for `reason`, which is its result. Its sequence number counts, so
+    // that it is not applied later either.
+    InputResult refuse(const Command& command, Status reason, std::uint32_t tick);
     // Removes entities, whoever owns them; unknown ones are skipped.
     void remove_entities(std::span<const EntityId> entities);
     // Removes the bodies that the client spawned and returns their number.
     std::size_t remove_bodies_of(ClientId client);
-    // apply() and remove_entities() record commands for take_journal() from now on.
+    // apply(), refuse() and remove_entities() record commands for take_journal() from now on.
     void enable_journal() { journal_enabled_ = true; }
     // Returns the commands that were applied since the previous call.
     std::vector<JournaledCommand> take_journal() { return std::exchange(journal_, {}); }

@@ -228,11 +228,9 @@ void WorldHost::apply_commands(std::optional<Error> refusal, Clock::time_point d
             refusal = Error{ErrorCode::unavailable, "the world is being closed"};
         else if (!refusal)
             refusal = pause_refusal(lifecycle_.paused());
-        const std::optional<Error> refused =
-            refusal ? refusal : body_limits_.refusal(*command, world_.ownership());
         put_result(*command,
-                   refused ? InputResult{.sequence = command->sequence, .status = *refused}
-                           : world_.apply(*command, tick_),
+                   refusal ? InputResult{.sequence = command->sequence, .status = *refusal}
+                           : apply(*command),
                    due);
         const std::chrono::nanoseconds after = cpu_time_.now().value_or(before);
         scheduler_.charge(std::chrono::duration<double>(after - before).count());
@@ -240,7 +238,8 @@ void WorldHost::apply_commands(std::optional<Error> refusal, Clock::time_point d
     }
     for (InputScheduler::Refused& refused : scheduler_.take_refused())
         put_result(refused.command,
-                   {.sequence = refused.command.sequence, .status = std::move(refused.status)},
+                   refusal ? InputResult{.sequence = refused.command.sequence, .status = *refusal}
+                           : world_.refuse(refused.command, std::move(refused.status), tick_),
                    due);
     for (const Command& command : mailbox_.leave_commands()) {
         const LeaveCommand* const leave = std::get_if<LeaveCommand>(&command.action);
@@ -248,6 +247,12 @@ void WorldHost::apply_commands(std::optional<Error> refusal, Clock::time_point d
             body_limits_.on_retained(world_.ownership().owned_by(command.client), due);
         world_.apply(command, tick_);
     }
+}
+
+InputResult WorldHost::apply(const Command& command) {
+    std::optional<Error> refused = body_limits_.refusal(command, world_.ownership());
+    return refused ? world_.refuse(command, *std::move(refused), tick_)
+                   : world_.apply(command, tick_);
 }
 
 void WorldHost::remove_excess_bodies(Clock::time_point now) {

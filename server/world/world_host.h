@@ -134,6 +134,7 @@ private:
     // `refusal`: why no input is applied; nothing: inputs are applied.
     std::optional<Error> input_refusal(const std::optional<std::string>& paused) const;
     void apply_commands(std::optional<Error> refusal, Clock::time_point due);
+    InputResult apply(const Command& command);
     void remove_excess_bodies(Clock::time_point now);
     void put_result(const Command& command, InputResult result, Clock::time_point due);
     // `allowed`: step even if the world is paused. False: the world took no step.

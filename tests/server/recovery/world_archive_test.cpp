@@ -167,6 +167,35 @@ TEST(WorldArchive, bodies_removed_by_the_host_stay_removed_after_recovery) {
     EXPECT_EQ(persisted_worlds_in(folder / "worlds.db", tick).hash, hash);
 }
 
+// An input whose result says that it was refused must not be applied after a restart.
+TEST(WorldArchive, refused_inputs_count_after_recovery) {
+    const test::TempFolder folder;
+    const auto reply = std::make_shared<ResultQueue>();
+    std::size_t refused = 0;
+    {
+        Process process(folder / "worlds.db");
+        process.hosts.body_limits.account_bodies_max = 3;
+        process.worlds.reset();
+        process.worlds.emplace(process.hosts, 8, "test");
+        const auto world = process.create("yard");
+        for (std::uint32_t sequence = 1; sequence <= 10; sequence++) {
+            SpawnCommand ball;
+            ball.shape.geometry = physics::Sphere{0.2};
+            ball.pose.position = {0, 5.0 + sequence, 0};
+            world->mailbox().push(
+                {.client = 1, .account = 9, .sequence = sequence, .action = ball, .reply = reply});
+            world->tick(Clock::now());
+        }
+        ASSERT_TRUE(process.archive->flush(5s));
+        for (const InputResult& result : reply->take()) refused += result.status.ok() ? 0 : 1;
+        process.kill();
+    }
+    EXPECT_EQ(refused, 7u);
+    Process process(folder / "worlds.db");
+    ASSERT_EQ(process.previous_clients.size(), 1u);
+    EXPECT_EQ(process.previous_clients[0].last_sequence, 10u);
+}
+
 TEST(WorldArchive, clean_shutdown_writes_a_final_checkpoint) {
     const test::TempFolder folder;
     std::uint32_t tick = 0;

@@ -84,7 +84,7 @@ HttpServerSettings http_settings(const Config& config, Metrics& metrics,
             .certificates = certificates,
             .per_address_max = static_cast<std::size_t>(config.connection.per_address_max),
             .body_bytes_max = static_cast<std::size_t>(config.scene.request_bytes_max),
-            // One large scene beside requests of common size.
+            // Of all connections together: one scene of the maximum size and many small requests.
             .bodies_bytes_max = config.scene.request_bytes_max + 16e6,
             .message_bytes_max = static_cast<std::size_t>(config.client.message_bytes_max)};
 }

@@ -39,7 +39,7 @@ Result<Network> parse_network(std::string_view text);
 // "192.0.2.7", "192.0.2.0/24", "2001:db8::/48".
 std::string text_of(const Network& network);
 
-// What a ban applies to: either a subject or a network.
+// The target of a ban: either a subject or a network.
 struct BanTarget {
     std::string subject;
     std::optional<Network> network;

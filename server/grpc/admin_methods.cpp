@@ -15,7 +15,7 @@ std::string path_of(const char* name) {
 
 enum class Audit { no, yes };
 
-// What the audit log records of a request besides its world.
+// The details of a request in the audit log, besides its world.
 template <class Request>
 std::string audit_target(const Request& request) {
     if constexpr (std::is_same_v<Request, v1::KickRequest>)

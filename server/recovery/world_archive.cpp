@@ -459,8 +459,8 @@ WorldStart WorldArchive::start_of(StoppedWorld last) {
 
 // The writer copies some pages at a time and writes changes in between.
 Result<TemporaryFile> WorldArchive::back_up() {
-    constexpr int pages_per_step = 256;  // 1 MiB
-    const std::string path = path_ + ".backup-" + std::to_string(::getpid());
+    constexpr int pages_per_step = 256;                     // 1 MiB
+    const std::string path = path_ + ".backup-unfinished";  // a killed process may have left one
     std::unique_ptr<OnlineBackup> backup;
     Status done;
     const auto on_writer = [&](auto&& function) {

@@ -57,7 +57,7 @@ struct DisconnectedClient {
     }
 };
 
-// Who may resume a session.
+// The identity that a client must prove to resume a session.
 struct ResumeHolder {
     Identity who;        // after a restart of the server only subject, expiry and key
     std::string ticket;  // Tickets::digest() of its ticket; empty: admitted without a ticket
@@ -92,8 +92,8 @@ public:
     void suspend(const ResumeSession& resume_session, DisconnectedClient client,
                  Clock::time_point until);
 
-    // Who may resume the session of a token; nothing: the token is unknown. Changes nothing: the
-    // caller must verify the holder before it calls claim(), which ends the old session.
+    // The identity required for the session of a token; nothing: unknown token. Changes nothing:
+    // the caller must verify the holder before it calls claim(), which ends the old session.
     std::optional<ResumeHolder> find_holder(std::string_view token,
                                             WallTime now = std::chrono::system_clock::now()) const;
 

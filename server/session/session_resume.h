@@ -42,7 +42,7 @@ public:
     const std::optional<Authorizer::Entry>& redeemed_ticket() const { return redeemed_; }
     std::unique_ptr<Hello> take_waiting_hello() { return std::move(waiting_hello_); }
 
-    // Who was admitted and how; sealed into the token.
+    // The admitted identity and its credentials; sealed into the token.
     void set_holder(ResumeHolder holder) { holder_ = std::move(holder); }
     const Identity& who() const { return holder_.who; }
     // Whether the credentials of the session are still valid. Looks at most four times per second,

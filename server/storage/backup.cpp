@@ -20,12 +20,19 @@ namespace fs = std::filesystem;
 // The files of a database, by the suffixes of their names.
 constexpr const char* suffixes[] = {"", "-wal", "-shm", ".head", ".marks"};
 
-// Whether another process has the database open. Opening it would take its lock.
+// Fails if another process has the database open. Changes no file, so that a damaged or older
+// database is renamed as it is.
 Status check_unused(const std::string& path) {
     if (!fs::exists(path)) return {};
-    const auto storage = SqliteStorage::open(path, {.create = false});
-    const bool is_used = !storage.ok() && storage.error().code == ErrorCode::failed_precondition;
-    return is_used ? Status(storage.error()) : Status();
+    Result<SqliteDatabase> database = SqliteDatabase::open(path, nullptr, false);
+    if (!database.ok()) return {};  // whatever it is, it is renamed
+    database->empty_log_on_close(!fs::exists(path + "-wal"));
+    const Status locked = database->execute("PRAGMA locking_mode = EXCLUSIVE; BEGIN EXCLUSIVE");
+    if (locked.ok()) return database->execute("ROLLBACK");
+    if (locked.error().code != ErrorCode::unavailable) return {};
+    return Error{ErrorCode::failed_precondition, path + ": another process has it open (" +
+                                                     locked.error().message +
+                                                     "); stop the server first"};
 }
 
 }  // namespace

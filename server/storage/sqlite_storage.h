@@ -24,7 +24,7 @@ enum class Durability {
 struct SqliteStorageOptions {
     Durability durability = Durability::machine;
     bool create = true;         // create the file, mode 0600, if it does not exist
-    bool is_read_only = false;  // changes no file; not for a database that a server uses
+    bool is_read_only = false;  // changes none of its files; no server may use the database
     // SQLite VFS name; null: the default. For tests of failing disks.
     const char* file_system = nullptr;
 };

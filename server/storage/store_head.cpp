@@ -77,10 +77,8 @@ Status sync_folder_of(const std::string& path) {
 }  // namespace
 
 void DigestTotal::add(std::string_view digest) {
-    if (digest.size() != value_.size()) {
-        value_[0] ^= 0xff;
-        return;
-    }
+    const std::string_view pieces[] = {digest};
+    if (digest.size() != value_.size()) return add(view_of(digest_of(pieces)));
     for (std::size_t k = 0; k < value_.size(); k++)
         value_[k] ^= static_cast<std::uint8_t>(digest[k]);
 }

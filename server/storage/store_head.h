@@ -22,7 +22,7 @@ public:
     DigestTotal() = default;
     explicit DigestTotal(const Digest& value) : value_(value) {}
 
-    // `digest` must have the size of a digest; any other size makes the total differ.
+    // Bytes of another size than a digest count as their own digest.
     void add(std::string_view digest);
     const Digest& value() const { return value_; }
 

@@ -23,7 +23,7 @@ constexpr std::size_t removed_min = 5;
 // All clients together may spawn this many bodies a second in an idle world, and fewer the closer
 // the load is to its limit: bodies that still fall cost little, those on a heap much.
 constexpr double spawns_per_second = 240;
-// Whoever owns fewer bodies keeps them.
+// An account keeps at least this many bodies.
 constexpr std::size_t always_kept = 10;
 
 }  // namespace

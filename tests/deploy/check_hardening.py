@@ -79,7 +79,7 @@ int main(int count, char** words) {
 """
 HARDENED = ["-O2", "-fPIE", "-fstack-protector-strong", "-fcf-protection=full", "-U_FORTIFY_SOURCE",
             "-D_FORTIFY_SOURCE=3", "-D_GLIBCXX_ASSERTIONS", "-pie", "-Wl,-z,relro,-z,now,-z,noexecstack"]
-# What is dropped or added, and a word of the fault.
+# The flag to drop or add, and a word of the expected fault.
 WITHOUT = [
     (["-fPIE", "-pie"], ["-no-pie"], "position-independent"),
     ([], ["-Wl,-z,execstack"], "stack is executable"),

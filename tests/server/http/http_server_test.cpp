@@ -14,22 +14,28 @@
 
 namespace jostle::server {
 
-// Regression test: a timer that expired during stop() restarted itself and blocked the thread
-// forever. Its period is 20 ms; these stops cover all phases of it.
-TEST(HttpServerTest, stops_safely_during_housekeeping) {
+// The dependencies of an HttpServer, without worlds.
+class HttpServerTest : public testing::Test {
+protected:
     const Config config;
-    SessionDirectory sessions(10);
-    WorldDirectory worlds({}, 1);
+    SessionDirectory sessions{10};
+    WorldDirectory worlds{{}, 1};
     const std::unique_ptr<Authorizer> authorizer = *Authorizer::open(config);
     PlayContext context{
         .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *authorizer};
-    WorldControl control(context);
-    const QueryControl queries(context);
-    const HttpRoutes routes(control, queries,
+    WorldControl control{context};
+    const QueryControl queries{context};
+    const HttpRoutes routes{control,
+                            queries,
                             {.web_root = ".",
                              .allowed_origins = {},
                              .not_ready_reason = [] { return std::optional<std::string>(); },
-                             .failure_reason = [] { return std::nullopt; }});
+                             .failure_reason = [] { return std::nullopt; }}};
+};
+
+// Regression test: a timer that expired during stop() restarted itself and blocked the thread
+// forever. Its period is 20 ms; these stops cover all phases of it.
+TEST_F(HttpServerTest, stops_safely_during_housekeeping) {
     for (int i = 0; i < 60; i++) {
         HttpServer http_server(context, routes, {.host = "127.0.0.1", .port = 0});
         ASSERT_TRUE(http_server.start().ok());
@@ -57,20 +63,7 @@ std::string response_of(std::uint16_t port, const std::string& request) {
 }  // namespace
 
 // A second request follows each ambiguous one; it must not be answered.
-TEST(HttpServerTest, refuses_ambiguous_requests_and_closes_the_connection) {
-    const Config config;
-    SessionDirectory sessions(10);
-    WorldDirectory worlds({}, 1);
-    const std::unique_ptr<Authorizer> authorizer = *Authorizer::open(config);
-    PlayContext context{
-        .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *authorizer};
-    WorldControl control(context);
-    const QueryControl queries(context);
-    const HttpRoutes routes(control, queries,
-                            {.web_root = ".",
-                             .allowed_origins = {},
-                             .not_ready_reason = [] { return std::optional<std::string>(); },
-                             .failure_reason = [] { return std::nullopt; }});
+TEST_F(HttpServerTest, refuses_ambiguous_requests_and_closes_the_connection) {
     HttpServer http_server(context, routes, {.host = "127.0.0.1", .port = 0});
     ASSERT_TRUE(http_server.start().ok());
     const std::string start = "POST /api/worlds HTTP/1.1\r\n",
@@ -95,7 +88,7 @@ TEST(HttpServerTest, refuses_ambiguous_requests_and_closes_the_connection) {
 
 // Regression test: the server destroyed the socket while Beast still waited for the client to close
 // it. The address sanitizer finds the access; other builds only see that the server goes on.
-TEST(HttpServerTest, disconnects_websocket_clients_that_stay_after_the_closing_handshake) {
+TEST_F(HttpServerTest, disconnects_websocket_clients_that_stay_after_the_closing_handshake) {
     namespace asio = boost::asio;
     Config config;
     config.auth.anonymous_role = "player";

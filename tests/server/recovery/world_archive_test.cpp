@@ -421,7 +421,9 @@ struct KilledServer {
 KilledServer killed_server() {
     const test::TempFolder folder;
     KilledServer killed;
-    Process process(folder / "worlds.db", {.replay_seconds_max = 0.02});
+    // A checkpoint empties the log; its time depends on the machine, so there is none after the
+    // first.
+    Process process(folder / "worlds.db", {.replay_seconds_max = 3600});
     const auto world = process.create("yard");
     for (int k = 0; k < 20; k++) {
         Process::play(*world, 10, std::make_shared<ResultQueue>());
@@ -498,7 +500,7 @@ TEST(WorldArchive, whole_recoveries_of_damaged_files_report_it_or_are_bit_identi
         EXPECT_EQ(worlds[0].start.tick, killed.tick) << what << " is silent";
         EXPECT_EQ(state_hash(worlds[0].start.world.world()), killed.hash) << what << " is silent";
     }
-    EXPECT_GT(reports, damages / 20);  // checkpoints of a small world empty the log often
+    EXPECT_GT(reports, damages / 4);
     RecordProperty("reports", reports);
 }
 

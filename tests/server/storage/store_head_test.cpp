@@ -31,6 +31,8 @@ TEST(DigestTotal, does_not_depend_on_the_order_and_removes_what_was_added) {
     DigestTotal short_digest;
     short_digest.add("short");
     EXPECT_NE(short_digest, DigestTotal());
+    short_digest.add("other");
+    EXPECT_NE(short_digest, DigestTotal()) << "two corrupt digests must not cancel";
 }
 
 TEST(HeadFile, returns_the_newest_head_and_is_private) {

@@ -108,6 +108,38 @@ TEST(DeepOverlap, ball_pushed_into_the_ground_is_pushed_out) {
     EXPECT_NEAR(position_of(world, ball).y, 0.5, 2e-3);
 }
 
+// A press squeezes a body to a part of its height and opens again. The mean impulse that the
+// squeeze left below zero pulled the body through the floor for ever.
+TEST(DeepOverlap, body_squeezed_by_a_press_stands_on_the_floor_again) {
+    const Geometry shapes[] = {Box{{0.5, 0.5, 0.5}}, Sphere{0.5}, Cylinder{0.5, 0.5},
+                               Capsule{0.3, 0.2}};
+    for (const Geometry& shape : shapes)
+        for (const bool plane : {false, true})
+            for (const double height : {0.5, 0.25})
+                for (const double speed : {1.0, 4.0})
+                    for (const double hz : {60.0, 240.0}) {
+                        World world = make_world();
+                        if (plane)
+                            add_floor(world);
+                        else
+                            add_static(world,
+                                       {.geometry = Box{{5, 0.1, 5}}, .position = {0, -0.1, 0}});
+                        const BodyId press = add(world, {.geometry = Box{{1, 0.5, 1}},
+                                                         .position = {0, 1.6, 0},
+                                                         .velocity = {0, -speed, 0},
+                                                         .type = BodyType::kinematic});
+                        const BodyId body =
+                            add(world, {.geometry = shape, .position = {0, 0.5, 0}});
+                        run(world, (1.1 - height) / speed, hz);
+                        must(world.set_velocity(press, {0, 3, 0}, {}));
+                        run(world, 3, hz);
+                        const double low = std::holds_alternative<Capsule>(shape) ? 0.3 : 0.5;
+                        const double y = position_of(world, body).y;
+                        EXPECT_GT(y, low - 2e-3) << "shape " << shape.index() << " to " << height;
+                        EXPECT_LT(y, 0.502) << "shape " << shape.index() << " to " << height;
+                    }
+}
+
 // Two hundred cubes and balls of 0.2 m under a lid, between four walls that come in at 0.2 m/s each
 // until nothing fits any more: the heap burst at up to 10 m/s.
 TEST(DeepOverlap, pile_squeezed_by_walls_does_not_explode) {

@@ -127,7 +127,7 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
         }
         return absolute(unclamped) > limit;
     };
-    // Before the normals and, for slipping lanes, after them, as in solve_block().
+    // Before the normals and, where the limit was not the load, after them, as in solve_block().
     WideMask slips = zero > zero;
     const Wide pressed = pressing();
     if constexpr (kRelax) slips = solve_friction(zero >= zero);
@@ -204,8 +204,10 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
     const Wide d0 = new0 - old0, d1 = new1 - old1, total = d0 + d1;
     pair.apply(pair.nx * total, pair.ny * total, -(x0 * d0 + x1 * d1) * pair.z_sign);
     if constexpr (kRelax) {
-        slips = slips & (pressing() > pressed);
-        if (lane_bits(slips) != 0) solve_friction(slips);
+        const Wide limit = splat(1 + limit_tolerance) * (load(m.mu) * pressing());
+        const WideMask again =
+            (slips & (pressing() > pressed)) | (absolute(load(m.friction[0])) > limit);
+        if (lane_bits(again) != 0) solve_friction(again);
     }
     pair.store();
 

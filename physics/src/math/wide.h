@@ -74,6 +74,7 @@ JOSTLE_LANES(WideMask, (Wide a, Wide b), <, a[i] < b[i] ? -1 : 0)
 JOSTLE_LANES(WideMask, (Wide a, Wide b), >, a[i] > b[i] ? -1 : 0)
 JOSTLE_LANES(WideMask, (Wide a, Wide b), >=, a[i] >= b[i] ? -1 : 0)
 JOSTLE_LANES(WideMask, (WideMask a, WideMask b), &, a[i] & b[i])
+JOSTLE_LANES(WideMask, (WideMask a, WideMask b), |, a[i] | b[i])
 JOSTLE_LANES(WideMask, (WideMask a), ~, ~a[i])
 #undef JOSTLE_LANES
 JOSTLE_INLINE Wide& operator+=(Wide& a, Wide b) {

@@ -204,9 +204,11 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
     const Wide d0 = new0 - old0, d1 = new1 - old1, total = d0 + d1;
     pair.apply(pair.nx * total, pair.ny * total, -(x0 * d0 + x1 * d1) * pair.z_sign);
     if constexpr (kRelax) {
-        const Wide limit = splat(1 + limit_tolerance) * (load(m.mu) * pressing());
-        const WideMask again =
-            (slips & (pressing() > pressed)) | (absolute(load(m.friction[0])) > limit);
+        WideMask again = slips & (pressing() > pressed);
+        if constexpr (kPair != PairKind::dynamic) {
+            const Wide limit = splat(1 + limit_tolerance) * (load(m.mu) * pressing());
+            again = again | (absolute(load(m.friction[0])) > limit);
+        }
         if (lane_bits(again) != 0) solve_friction(again);
     }
     pair.store();

@@ -6,6 +6,7 @@
 
 #include "jostle/base/check.h"
 #include "server/recovery/checkpoint_data.h"
+#include "server/recovery/portable_checkpoint.h"
 #include "server/storage/compression.h"
 
 namespace jostle::server {
@@ -37,6 +38,7 @@ public:
         Error last;
         for (const std::uint32_t tick : *ticks) {
             Result<RecoveredWorld> world = from_checkpoint(tick);
+            if (world.ok() && world->is_portable) return without_journal(*std::move(world));
             if (world.ok()) return replay_journal(*std::move(world));
             last = world.error();
             warnings_.push_back(describe("the checkpoint of tick " + std::to_string(tick), last));
@@ -49,7 +51,13 @@ private:
         const Result<Checkpoint> stored_checkpoint = storage_.checkpoint(stored_.id, tick);
         if (!stored_checkpoint.ok()) return stored_checkpoint.error();
         Result<DecodedCheckpoint> saved =
-            decode_checkpoint(stored_checkpoint->exact, stored_checkpoint->hash);
+            options_.portable_only
+                ? Error{ErrorCode::failed_precondition, "the world definition is not supported"}
+                : decode_checkpoint(stored_checkpoint->exact, stored_checkpoint->hash);
+        // A damaged exact form is an error: an older checkpoint and the journal restore the world
+        // bit-identically.
+        if (!saved.ok() && saved.error().code == ErrorCode::failed_precondition)
+            return from_portable(*stored_checkpoint, saved.error());
         if (!saved.ok()) return saved.error();
         if (Status s = saved->bodies.set_threads(options_.threads); !s.ok()) return s.error();
         Result<HostedWorld> world =
@@ -59,7 +67,49 @@ private:
         return RecoveredWorld{.world = *std::move(world),
                               .tick = stored_checkpoint->tick,
                               .checkpoint = stored_checkpoint->tick,
-                              .sequence = stored_checkpoint->sequence};
+                              .sequence = stored_checkpoint->sequence,
+                              .scene = definition_.scene};
+    }
+
+    Result<RecoveredWorld> from_portable(const Checkpoint& checkpoint, const Error& unsupported) {
+        if (checkpoint.portable.empty())
+            return Error{ErrorCode::failed_precondition,
+                         unsupported.message +
+                             "; the checkpoint has no portable form: add one with "
+                             "jostle-replay --add-portable of the version that wrote it (\"" +
+                             stored_.engine + "\")"};
+        Result<PortableWorld> portable = decode_portable(checkpoint.portable, checkpoint.tick,
+                                                         definition_.limits, options_.threads);
+        if (!portable.ok()) return portable.error();
+        warnings_.push_back(describe("recovered from the portable form of the checkpoint of tick " +
+                                         std::to_string(checkpoint.tick) +
+                                         " without accumulated impulses, sleep and grabs",
+                                     unsupported));
+        for (std::string& omitted : portable->omitted)
+            warnings_.push_back("the portable form omits " + std::move(omitted));
+        return RecoveredWorld{.world = std::move(portable->world),
+                              .tick = checkpoint.tick,
+                              .checkpoint = checkpoint.tick,
+                              .sequence = checkpoint.sequence,
+                              .scene = std::move(portable->definition.scene),
+                              .is_portable = true};
+    }
+
+    // The journal after a portable checkpoint belongs to a world with other bits.
+    Result<RecoveredWorld> without_journal(RecoveredWorld world) {
+        if (Status s = find_chain(world); !s.ok()) return s.error();
+        const Result<std::vector<JournalEntry>> rest =
+            storage_.entries(stored_.id, world.sequence, 0);
+        if (!rest.ok())
+            lose_rest(world, rest.error());
+        else if (!rest->empty())
+            lose_rest(world, {ErrorCode::failed_precondition,
+                              "the journal cannot be replayed from a portable checkpoint; add a "
+                              "newer one with jostle-replay --add-portable of the version that "
+                              "wrote it (\"" +
+                                  stored_.engine + "\")"});
+        world.warnings = std::move(warnings_);
+        return world;
     }
 
     Result<RecoveredWorld> replay_journal(RecoveredWorld world) {
@@ -190,6 +240,21 @@ Result<RecoveredWorld> recover_world(WorldStorage& storage, const StoredWorld& s
                                      const WorldDefinition& definition,
                                      const RecoveryOptions& options) {
     return Recovery(storage, stored, definition, options).run();
+}
+
+Result<WorldDefinition> portable_definition(WorldStorage& storage, const StoredWorld& stored,
+                                            const HostLimits& limits) {
+    const Result<std::vector<std::uint32_t>> ticks = storage.checkpoint_ticks(stored.id);
+    if (!ticks.ok()) return ticks.error();
+    if (ticks->empty())
+        return Error{ErrorCode::not_found, "world " + stored.id + " has no checkpoint"};
+    const Result<Checkpoint> newest = storage.checkpoint(stored.id, ticks->front());
+    if (!newest.ok()) return newest.error();
+    if (newest->portable.empty())
+        return Error{ErrorCode::not_found, "the newest checkpoint has no portable form"};
+    Result<PortableWorld> portable = decode_portable(newest->portable, newest->tick, limits, 1);
+    if (!portable.ok()) return portable.error();
+    return std::move(portable->definition);
 }
 
 }  // namespace jostle::server

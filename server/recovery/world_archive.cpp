@@ -50,24 +50,6 @@ Error slow() {
     return {ErrorCode::unavailable, "the database does not respond; retry later"};
 }
 
-CheckpointCopy checkpoint_copy_of(const HostedWorld& world, std::uint32_t tick) {
-    CheckpointCopy checkpoint_copy{
-        .tick = tick, .bodies = {}, .host_state = world.host_state(tick)};
-    checkpoint_copy.bodies.capture(world.world());
-    return checkpoint_copy;
-}
-
-Result<Checkpoint> checkpoint_of(const HostedWorld& world, std::uint32_t tick,
-                                 std::uint64_t sequence) {
-    Result<CheckpointData> data = encode_checkpoint(checkpoint_copy_of(world, tick));
-    if (!data.ok()) return data.error();
-    return Checkpoint{.tick = tick,
-                      .hash = data->hash,
-                      .sequence = sequence,
-                      .exact = std::move(data->bytes),
-                      .portable = {}};
-}
-
 // Copies the files as they are, so that nothing is lost by continuing.
 Status accept_damage(SqliteStorage& storage, const std::string& path) {
     const std::string aside = path + ".damaged-" + std::to_string(std::time(nullptr));
@@ -271,9 +253,20 @@ Status WorldArchive::load_worlds(WorldStorage& storage, const StorageDamage& dam
 
 Result<PersistedWorld> WorldArchive::load_world(WorldStorage& storage, const StoredWorld& stored) {
     Result<WorldDefinition> definition = decode_world_definition(stored.settings);
+    const bool is_unsupported =
+        !definition.ok() && definition.error().code == ErrorCode::failed_precondition;
+    if (is_unsupported) {
+        const std::string why = definition.error().message;
+        definition = portable_definition(storage, stored, limits_);
+        if (!definition.ok())
+            return Error{definition.error().code, why + "; " + definition.error().message};
+        log_warn("world {} \"{}\": {}; its portable checkpoint replaces it", stored.id, stored.name,
+                 why);
+    }
     if (!definition.ok()) return definition.error();
-    Result<RecoveredWorld> found = recover(storage, stored, *definition);
+    Result<RecoveredWorld> found = recover(storage, stored, *definition, is_unsupported);
     if (!found.ok()) return found.error();
+    definition->scene = found->scene;
     definition->limits = limits_;
     found->world.set_limits(limits_);
     StoredWorld now{.id = stored.id,
@@ -284,15 +277,20 @@ Result<PersistedWorld> WorldArchive::load_world(WorldStorage& storage, const Sto
     std::vector<StorageChange> changes{TruncateJournal{stored.id, found->tick, found->sequence}};
     // From here on the world is like one that was never stopped: a new checkpoint contains
     // everything so far, unless nothing changed.
-    const bool unchanged = found->tick == found->checkpoint && now.engine == stored.engine &&
-                           now.settings == stored.settings;
+    const bool unchanged = found->tick == found->checkpoint && !found->is_portable &&
+                           now.engine == stored.engine && now.settings == stored.settings;
     if (!unchanged) {
-        Result<Checkpoint> checkpoint = checkpoint_of(found->world, found->tick, found->sequence);
+        Result<Checkpoint> checkpoint = make_checkpoint(found->world, found->tick, found->sequence);
         if (!checkpoint.ok()) return checkpoint.error();
         changes.emplace_back(PutCheckpoint{stored.id, *std::move(checkpoint)});
     }
     Result<std::vector<std::uint32_t>> ticks = storage.checkpoint_ticks(stored.id);
     if (!ticks.ok()) return ticks.error();
+    // Older checkpoints contain ids of another scene.
+    if (found->is_portable) {
+        changes.emplace_back(Trim{stored.id, found->tick});
+        ticks->clear();
+    }
     std::erase_if(*ticks, [&](std::uint32_t tick) { return tick >= found->tick; });
     ticks->insert(ticks->begin(), found->tick);
     std::ranges::reverse(*ticks);
@@ -319,11 +317,12 @@ Result<PersistedWorld> WorldArchive::load_world(WorldStorage& storage, const Sto
 // A tick that crashed twice in a row is replayed without its commands. If the fault lies further
 // back, each further crash doubles the number of quarantined ticks.
 Result<RecoveredWorld> WorldArchive::recover(WorldStorage& storage, const StoredWorld& stored,
-                                             const WorldDefinition& definition) {
+                                             const WorldDefinition& definition,
+                                             bool portable_only) {
     const CrashMarker mark = marks_->of(stored.id);
     const std::uint32_t crashes = mark.crashes(), last = mark.crashed_tick();
     const std::uint32_t ticks = crashes < 2 ? 0 : 1U << std::min(crashes - 2, 30U);
-    RecoveryOptions options{.threads = threads_};
+    RecoveryOptions options{.threads = threads_, .portable_only = portable_only};
     options.may_apply = [&](const JournaledTick& tick) {
         mark.begin(tick.tick);
         const bool is_suspect = tick.tick <= last && last - tick.tick < ticks;
@@ -366,7 +365,7 @@ Status WorldArchive::open(WorldStart& start) {
     const std::string& id = start.label.id;
     if (const auto conflict = name_conflict(start.label.name))
         return Error{ErrorCode::failed_precondition, *conflict};
-    Result<Checkpoint> checkpoint = checkpoint_of(start.world, start.tick, 0);
+    Result<Checkpoint> checkpoint = make_checkpoint(start.world, start.tick, 0);
     if (!checkpoint.ok()) return checkpoint.error();
     const WorldDefinition definition{.owner = start.label.owner,
                                      .scene = start.scene,
@@ -528,7 +527,7 @@ Result<WorldStart> WorldArchive::rewind(const std::string& id, std::uint32_t tic
         .data = compress(encode_journal(
             {.ticks = {}, .paused_ticks = {}, .rewind = Rewind{.tick = found.tick, .to = tick}}))};
     found.chain = entry.chain = next_chain(found.chain, entry.data);
-    Result<Checkpoint> checkpoint = checkpoint_of(found.world, found.tick, found.sequence);
+    Result<Checkpoint> checkpoint = make_checkpoint(found.world, found.tick, found.sequence);
     if (!checkpoint.ok()) return checkpoint.error();
     if (!writer_->push(AppendEntry{id, std::move(entry)}, nullptr))
         return Error{ErrorCode::unavailable, "the database does not keep up; retry later"};

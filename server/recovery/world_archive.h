@@ -88,7 +88,7 @@ private:
     Result<PersistedWorld> load_world(WorldStorage& storage, const StoredWorld& stored);
     // Recovers the world except for commands that crash it.
     Result<RecoveredWorld> recover(WorldStorage& storage, const StoredWorld& stored,
-                                   const WorldDefinition& definition);
+                                   const WorldDefinition& definition, bool portable_only = false);
     // A world of this process that has stopped.
     struct StoppedWorld {
         StoredWorld stored;

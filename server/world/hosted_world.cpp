@@ -60,6 +60,8 @@ Result<HostedWorld> HostedWorld::restore(World world, const SavedHostState& host
         hosted.last_sequences_[input.client] = input.sequence;
     hosted.quarantined_.insert(host_state.quarantined.begin(), host_state.quarantined.end());
     hosted.ids_ = {host_state.scene_bodies, host_state.scene_joints};
+    // Only after recovery from a portable checkpoint: its modules created their bodies again.
+    sync_module_entities(state, hosted.bodies_);
     Result<ModuleChannels> channels = ModuleChannels::of(state.world);
     if (!channels.ok()) return channels.error();
     hosted.channels_ = *std::move(channels);

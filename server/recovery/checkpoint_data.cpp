@@ -56,7 +56,7 @@ Result<DecodedCheckpoint> decode_checkpoint(std::string_view bytes, std::uint64_
     const Result<std::string> decompressed = decompress(bytes, checkpoint_bytes_max);
     if (!decompressed.ok()) return decompressed.error();
     ByteReader from(*decompressed);
-    if (const std::uint64_t version = from.number(); version != checkpoint_version)
+    if (const std::uint64_t version = from.number(); from.ok() && version != checkpoint_version)
         return unsupported("version " + std::to_string(version) + "; this server reads version " +
                            std::to_string(checkpoint_version));
     const std::string_view host_state_bytes = from.text(), saved = from.text();

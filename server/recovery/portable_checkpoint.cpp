@@ -86,7 +86,8 @@ Result<Content> read(std::string_view bytes) {
     const Result<std::string> decompressed = decompress(bytes, portable_bytes_max);
     if (!decompressed.ok()) return decompressed.error();
     Reader reader{ByteReader(*decompressed)};
-    if (const std::uint64_t version = reader.from.number(); version != portable_version)
+    if (const std::uint64_t version = reader.from.number();
+        reader.from.ok() && version != portable_version)
         return Error{ErrorCode::failed_precondition,
                      "unsupported portable checkpoint: version " + std::to_string(version) +
                          "; this server reads version " + std::to_string(portable_version)};

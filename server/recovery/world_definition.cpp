@@ -39,7 +39,7 @@ std::string encode_world_definition(const WorldDefinition& definition) {
 
 Result<WorldDefinition> decode_world_definition(std::string_view bytes) {
     ByteReader from(bytes);
-    if (const std::uint64_t version = from.number(); version != definition_version)
+    if (const std::uint64_t version = from.number(); from.ok() && version != definition_version)
         return Error{ErrorCode::failed_precondition,
                      "unsupported world definition: version " + std::to_string(version) +
                          "; this server reads version " + std::to_string(definition_version)};

@@ -37,6 +37,7 @@ constexpr AccessRow table[] = {
     {"jostle.v1.AdminService/ExportWorld", admin, Role::admin, any_world},
     {"jostle.v1.AdminService/RemoveBodies", admin, Role::admin, any_world},
     {"jostle.v1.AdminService/RewindWorld", admin, Role::admin, any_world},
+    {"jostle.v1.AdminService/UndoClient", admin, Role::admin, any_world},
     {"jostle.v1.AdminService/Drain", admin, Role::admin, server},
     {"jostle.v1.AdminService/Profile", admin, Role::admin, any_world},
     {"grpc.health.v1.Health/Check", open, Role::none, none},

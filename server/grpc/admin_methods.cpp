@@ -106,6 +106,8 @@ std::vector<CallMethod> admin_methods(AdminControl& control, const WorldDirector
                    &AdminControl::remove_bodies),
         world_call(control, worlds, "RewindWorld", CallWork::blocking, Audit::yes,
                    &AdminControl::rewind_world),
+        world_call(control, worlds, "UndoClient", CallWork::blocking, Audit::yes,
+                   &AdminControl::undo_client),
         world_call(control, worlds, "Profile", CallWork::blocking, Audit::no,
                    &AdminControl::profile),
     };

@@ -14,8 +14,9 @@ namespace {
 
 using physics::Vec3;
 
-// See docs/design/format_changes.md. Version 2 has no rewinds.
-constexpr std::uint64_t journal_version = 3, oldest_version = 2;
+// See docs/design/format_changes.md. Version 2 has no rewinds, version 3 no undos. Segments without
+// undo are written in version 3, which older servers read.
+constexpr std::uint64_t journal_version = 4, version_without_undo = 3, oldest_version = 2;
 constexpr std::uint64_t no_action = 255;  // in place of an action kind
 
 // visit_action() lists the fields of each kind of action once; a JournalWriter writes them, a
@@ -188,17 +189,31 @@ Status read_rewind(JournalReader& reader, JournalSegment& segment) {
     return {};
 }
 
+Status read_undo(JournalReader& reader, JournalSegment& segment) {
+    Undo& undo = segment.undo.emplace();
+    reader(undo.tick), reader(undo.first_tick), reader(undo.client);
+    if (!reader.from.ok()) return not_a_journal("unexpected end of data");
+    if (undo.first_tick >= undo.tick)
+        return not_a_journal("invalid undo in tick " + std::to_string(undo.tick) + " from tick " +
+                             std::to_string(undo.first_tick));
+    if (!segment.ticks.empty() || !segment.paused_ticks.empty() || segment.rewind)
+        return not_a_journal("undo mixed with other ticks");
+    return {};
+}
+
 }  // namespace
 
 std::string encode_journal(const JournalSegment& segment) {
     JournalWriter writer;
-    writer.to.number(journal_version);
+    writer.to.number(segment.undo ? journal_version : version_without_undo);
     write_ticks(writer, segment.ticks);
     writer.to.number(segment.paused_ticks.size());
     for (const TickRange& range : segment.paused_ticks)
         writer.to.number(range.first), writer.to.number(range.last);
     writer(segment.rewind.has_value());
     if (segment.rewind) writer(segment.rewind->tick), writer(segment.rewind->to);
+    if (segment.undo)
+        writer(segment.undo->tick), writer(segment.undo->first_tick), writer(segment.undo->client);
     return writer.to.take();
 }
 
@@ -214,6 +229,8 @@ Result<JournalSegment> decode_journal(std::string_view bytes) {
     if (Status s = read_paused_ticks(reader, segment.paused_ticks); !s.ok()) return s.error();
     if (version >= 3)
         if (Status s = read_rewind(reader, segment); !s.ok()) return s.error();
+    if (version >= 4)
+        if (Status s = read_undo(reader, segment); !s.ok()) return s.error();
     if (!reader.from.ok()) return not_a_journal("unexpected end of data");
     if (!reader.from.at_end()) return not_a_journal("data after the end");
     return segment;

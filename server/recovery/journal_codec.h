@@ -28,13 +28,23 @@ struct Rewind {
     bool operator==(const Rewind&) const = default;
 };
 
+// In tick `tick` the world was replaced by its state after the previous tick without the inputs of
+// `client` from tick `first_tick` on (recover_world.h, OmittedInputs).
+struct Undo {
+    std::uint32_t tick = 0, first_tick = 0;
+    std::uint32_t client = 0;
+
+    bool operator==(const Undo&) const = default;
+};
+
 struct JournalSegment {
     // In ascending order; ticks without commands are omitted.
     std::vector<JournaledTick> ticks;
     // In ascending order: ticks in which the world was not stepped, for example while paused.
     std::vector<TickRange> paused_ticks;
-    // If set, the segment contains nothing else.
+    // If one of them is set, the segment contains nothing else.
     std::optional<Rewind> rewind = {};
+    std::optional<Undo> undo = {};
 };
 
 std::string encode_journal(const JournalSegment& segment);

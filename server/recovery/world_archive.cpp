@@ -13,6 +13,7 @@
 #include <utility>
 
 #include "jostle/base/check.h"
+#include "jostle/physics/serialization.h"
 #include "server/recovery/checkpoint_data.h"
 #include "server/recovery/journal_codec.h"
 #include "server/recovery/world_storage_copy.h"
@@ -50,24 +51,6 @@ Error slow() {
     return {ErrorCode::unavailable, "the database does not respond; retry later"};
 }
 
-CheckpointCopy checkpoint_copy_of(const HostedWorld& world, std::uint32_t tick) {
-    CheckpointCopy checkpoint_copy{
-        .tick = tick, .bodies = {}, .host_state = world.host_state(tick)};
-    checkpoint_copy.bodies.capture(world.world());
-    return checkpoint_copy;
-}
-
-Result<Checkpoint> checkpoint_of(const HostedWorld& world, std::uint32_t tick,
-                                 std::uint64_t sequence) {
-    Result<CheckpointData> data = encode_checkpoint(checkpoint_copy_of(world, tick));
-    if (!data.ok()) return data.error();
-    return Checkpoint{.tick = tick,
-                      .hash = data->hash,
-                      .sequence = sequence,
-                      .exact = std::move(data->bytes),
-                      .portable = {}};
-}
-
 // Copies the files as they are, so that nothing is lost by continuing.
 Status accept_damage(SqliteStorage& storage, const std::string& path) {
     const std::string aside = path + ".damaged-" + std::to_string(std::time(nullptr));
@@ -86,6 +69,28 @@ Status accept_damage(SqliteStorage& storage, const std::string& path) {
     return storage.accept_damage();
 }
 
+// The rewinds and undos in a journal: ticks in which they happened, and the oldest tick that a
+// replay of them starts from.
+struct Jumps {
+    std::vector<std::uint32_t> ticks;  // ascending
+    std::uint32_t oldest = 0xffffffff;
+};
+Result<Jumps> jumps_in(WorldStorageCopy& copy, const std::string& id) {
+    Jumps jumps;
+    const auto entries = copy.entries(id, 0, 0);
+    if (!entries.ok()) return entries.error();
+    for (const JournalEntry& entry : *entries) {
+        const Result<std::string> data = decompress(entry.data, std::size_t{64} << 20);
+        if (!data.ok()) return data.error();
+        const Result<JournalSegment> segment = decode_journal(*data);
+        if (!segment.ok()) return segment.error();
+        if (segment->rewind) jumps.oldest = std::min(jumps.oldest, segment->rewind->to);
+        if (segment->undo) jumps.oldest = std::min(jumps.oldest, segment->undo->first_tick - 1);
+        if (segment->rewind || segment->undo) jumps.ticks.push_back(entry.last_tick);
+    }
+    return jumps;
+}
+
 // "w12-ab34" returns 12.
 std::uint32_t number_of(const std::string& id) {
     std::uint32_t number = 0;
@@ -94,6 +99,15 @@ std::uint32_t number_of(const std::string& id) {
 }
 
 }  // namespace
+
+struct WorldArchive::ArchivedUndo : PreparedUndo {
+    ArchivedUndo(WorldDefinition definition, RecoveryOptions options, RecoveredWorld world)
+        : definition(std::move(definition)), options(std::move(options)), world(std::move(world)) {}
+
+    WorldDefinition definition;
+    RecoveryOptions options;
+    RecoveredWorld world;
+};
 
 WorldArchive::WorldArchive(const PersistenceSettings& settings, const HostLimits& limits,
                            int threads, std::function<void()> on_results_sent)
@@ -271,9 +285,20 @@ Status WorldArchive::load_worlds(WorldStorage& storage, const StorageDamage& dam
 
 Result<PersistedWorld> WorldArchive::load_world(WorldStorage& storage, const StoredWorld& stored) {
     Result<WorldDefinition> definition = decode_world_definition(stored.settings);
+    const bool is_unsupported =
+        !definition.ok() && definition.error().code == ErrorCode::failed_precondition;
+    if (is_unsupported) {
+        const std::string why = definition.error().message;
+        definition = portable_definition(storage, stored, limits_);
+        if (!definition.ok())
+            return Error{definition.error().code, why + "; " + definition.error().message};
+        log_warn("world {} \"{}\": {}; its portable checkpoint replaces it", stored.id, stored.name,
+                 why);
+    }
     if (!definition.ok()) return definition.error();
-    Result<RecoveredWorld> found = recover(storage, stored, *definition);
+    Result<RecoveredWorld> found = recover(storage, stored, *definition, is_unsupported);
     if (!found.ok()) return found.error();
+    definition->scene = found->scene;
     definition->limits = limits_;
     found->world.set_limits(limits_);
     StoredWorld now{.id = stored.id,
@@ -284,15 +309,20 @@ Result<PersistedWorld> WorldArchive::load_world(WorldStorage& storage, const Sto
     std::vector<StorageChange> changes{TruncateJournal{stored.id, found->tick, found->sequence}};
     // From here on the world is like one that was never stopped: a new checkpoint contains
     // everything so far, unless nothing changed.
-    const bool unchanged = found->tick == found->checkpoint && now.engine == stored.engine &&
-                           now.settings == stored.settings;
+    const bool unchanged = found->tick == found->checkpoint && !found->is_portable &&
+                           now.engine == stored.engine && now.settings == stored.settings;
     if (!unchanged) {
-        Result<Checkpoint> checkpoint = checkpoint_of(found->world, found->tick, found->sequence);
+        Result<Checkpoint> checkpoint = make_checkpoint(found->world, found->tick, found->sequence);
         if (!checkpoint.ok()) return checkpoint.error();
         changes.emplace_back(PutCheckpoint{stored.id, *std::move(checkpoint)});
     }
     Result<std::vector<std::uint32_t>> ticks = storage.checkpoint_ticks(stored.id);
     if (!ticks.ok()) return ticks.error();
+    // Older checkpoints contain ids of another scene.
+    if (found->is_portable) {
+        changes.emplace_back(Trim{stored.id, found->tick});
+        ticks->clear();
+    }
     std::erase_if(*ticks, [&](std::uint32_t tick) { return tick >= found->tick; });
     ticks->insert(ticks->begin(), found->tick);
     std::ranges::reverse(*ticks);
@@ -319,11 +349,12 @@ Result<PersistedWorld> WorldArchive::load_world(WorldStorage& storage, const Sto
 // A tick that crashed twice in a row is replayed without its commands. If the fault lies further
 // back, each further crash doubles the number of quarantined ticks.
 Result<RecoveredWorld> WorldArchive::recover(WorldStorage& storage, const StoredWorld& stored,
-                                             const WorldDefinition& definition) {
+                                             const WorldDefinition& definition,
+                                             bool portable_only) {
     const CrashMarker mark = marks_->of(stored.id);
     const std::uint32_t crashes = mark.crashes(), last = mark.crashed_tick();
     const std::uint32_t ticks = crashes < 2 ? 0 : 1U << std::min(crashes - 2, 30U);
-    RecoveryOptions options{.threads = threads_};
+    RecoveryOptions options{.threads = threads_, .portable_only = portable_only};
     options.may_apply = [&](const JournaledTick& tick) {
         mark.begin(tick.tick);
         const bool is_suspect = tick.tick <= last && last - tick.tick < ticks;
@@ -366,7 +397,7 @@ Status WorldArchive::open(WorldStart& start) {
     const std::string& id = start.label.id;
     if (const auto conflict = name_conflict(start.label.name))
         return Error{ErrorCode::failed_precondition, *conflict};
-    Result<Checkpoint> checkpoint = checkpoint_of(start.world, start.tick, 0);
+    Result<Checkpoint> checkpoint = make_checkpoint(start.world, start.tick, 0);
     if (!checkpoint.ok()) return checkpoint.error();
     const WorldDefinition definition{.owner = start.label.owner,
                                      .scene = start.scene,
@@ -400,7 +431,9 @@ Result<std::unique_ptr<WorldStorage>> WorldArchive::copy_of(const std::string& i
                                                             std::uint32_t last_tick) {
     Result<std::unique_ptr<WorldStorageCopy>> copy = slow();
     writer_->run_on_writer(
-        [&](WorldStorage& storage) { copy = WorldStorageCopy::of(storage, id, 2, last_tick); },
+        [&](WorldStorage& storage) {
+            copy = WorldStorageCopy::of(storage, id, 2, last_tick, last_tick);
+        },
         timeout);
     if (!copy.ok()) return copy.error();
     return std::unique_ptr<WorldStorage>(*std::move(copy));
@@ -509,34 +542,143 @@ Result<WorldStart> WorldArchive::reload(const std::string& id) {
     return start_of(*std::move(last));
 }
 
-// The journal only grows: an entry records the rewind, and a checkpoint contains the state it leads
-// to. Both are queued like any tick; if the process crashes before they are written, the rewind did
-// not happen.
-Result<WorldStart> WorldArchive::rewind(const std::string& id, std::uint32_t tick,
-                                        HostedWorld past) {
-    Result<StoppedWorld> last = load_stopped_world(id);
-    if (!last.ok()) return last.error();
-    RecoveredWorld& found = last->found;
-    past.continue_from(found.world);
-    found.world = std::move(past);
+// The journal only grows: an entry records the rewind or undo, and a checkpoint contains the state
+// it leads to. Both are queued like any tick; if the process crashes before they are written, it
+// did not happen.
+Result<WorldStart> WorldArchive::continue_with(StoppedWorld last, HostedWorld next,
+                                               JournalSegment why) {
+    const std::string& id = last.stored.id;
+    RecoveredWorld& found = last.found;
+    next.continue_from(found.world);
+    found.world = std::move(next);
     found.tick++;
-    JournalEntry entry{
-        .sequence = ++found.sequence,
-        .epoch = last->stored.epoch,
-        .first_tick = found.tick,
-        .last_tick = found.tick,
-        .data = compress(encode_journal(
-            {.ticks = {}, .paused_ticks = {}, .rewind = Rewind{.tick = found.tick, .to = tick}}))};
+    JournalEntry entry{.sequence = ++found.sequence,
+                       .epoch = last.stored.epoch,
+                       .first_tick = found.tick,
+                       .last_tick = found.tick,
+                       .data = compress(encode_journal(why))};
     found.chain = entry.chain = next_chain(found.chain, entry.data);
-    Result<Checkpoint> checkpoint = checkpoint_of(found.world, found.tick, found.sequence);
+    Result<Checkpoint> checkpoint = make_checkpoint(found.world, found.tick, found.sequence);
     if (!checkpoint.ok()) return checkpoint.error();
     if (!writer_->push(AppendEntry{id, std::move(entry)}, nullptr))
         return Error{ErrorCode::unavailable, "the database does not keep up; retry later"};
     const bool pushed = writer_->push(PutCheckpoint{id, *std::move(checkpoint)}, nullptr);
-    if (pushed) last->checkpoints.push_back(found.tick);
-    WorldStart start = start_of(*std::move(last));
+    if (pushed) last.checkpoints.push_back(found.tick);
+    WorldStart start = start_of(std::move(last));
     if (!pushed) start.world_journal->on_interrupted();  // requests a checkpoint in its first tick
     return start;
+}
+
+Result<WorldStart> WorldArchive::rewind(const std::string& id, std::uint32_t tick,
+                                        HostedWorld past) {
+    Result<StoppedWorld> last = load_stopped_world(id);
+    if (!last.ok()) return last.error();
+    const Rewind rewind{.tick = last->found.tick + 1, .to = tick};
+    return continue_with(*std::move(last), std::move(past),
+                         {.ticks = {}, .paused_ticks = {}, .rewind = rewind});
+}
+
+Result<std::unique_ptr<WorldStorageCopy>> WorldArchive::copy_since(const std::string& id,
+                                                                   std::uint32_t tick) {
+    Result<std::unique_ptr<WorldStorageCopy>> copy = slow();
+    const auto read = [&](auto&& function) { return writer_->run_on_writer(function, timeout); };
+    read([&](WorldStorage& storage) { copy = WorldStorageCopy::of(storage, id, 2, tick); });
+    Jumps jumps;
+    while (copy.ok()) {
+        Result<Jumps> found = jumps_in(**copy, id);
+        if (!found.ok()) return found.error();
+        jumps = *std::move(found);
+        if (jumps.oldest >= (*copy)->checkpoint_ticks(id).value().back()) break;
+        Result<std::unique_ptr<WorldStorageCopy>> older = slow();
+        read([&](WorldStorage& storage) {
+            older = WorldStorageCopy::of(storage, id, 2, jumps.oldest);
+        });
+        if (!older.ok() && older.error().code == ErrorCode::not_found) break;
+        copy = std::move(older);
+    }
+    if (!copy.ok()) return copy;
+    read([&](WorldStorage& storage) {
+        const std::uint32_t newest = (*copy)->checkpoint_ticks(id).value().front();
+        for (const std::uint32_t jump : jumps.ticks)
+            if (jump > newest)
+                if (Result<Checkpoint> result = storage.checkpoint(id, jump); result.ok())
+                    (*copy)->add(*std::move(result));
+    });
+    return copy;
+}
+
+Result<std::unique_ptr<PreparedUndo>> WorldArchive::prepare_undo(const std::string& id,
+                                                                 ClientId client,
+                                                                 std::uint32_t first_tick) {
+    Result<std::unique_ptr<WorldStorageCopy>> copy = copy_since(id, first_tick - 1);
+    if (!copy.ok()) return copy.error();
+    const StoredWorld stored = (*copy)->worlds().value().front();
+    Result<WorldDefinition> definition = decode_world_definition(stored.settings);
+    if (!definition.ok()) return definition.error();
+    RecoveryOptions options{.threads = threads_, .omitted = {{client, first_tick, 0xffffffff}}};
+    Result<RecoveredWorld> found = recover_world(**copy, stored, *definition, options);
+    if (!found.ok()) return found.error();
+    if (found->is_cut)
+        return Error{ErrorCode::failed_precondition, "cannot replay the world from tick " +
+                                                         std::to_string(found->checkpoint) + ": " +
+                                                         found->warnings.back()};
+    auto undo = std::make_unique<ArchivedUndo>(*std::move(definition), std::move(options),
+                                               *std::move(found));
+    // Each pass replays the ticks of the previous one, so that few are left when the world stops.
+    constexpr int passes_max = 8;
+    const double few_ticks = undo->definition.scene->hz;
+    for (int pass = 0; pass < passes_max; pass++) {
+        const std::uint32_t tick = undo->world.tick;
+        if (Status s = replay_new_ticks(id, *undo); !s.ok()) return s.error();
+        if (undo->world.tick - tick < few_ticks) break;
+    }
+    if (undo->world.omitted == 0)
+        return Error{ErrorCode::not_found, "client " + std::to_string(client) +
+                                               " has no inputs since tick " +
+                                               std::to_string(first_tick)};
+    undo->inputs = undo->world.omitted;
+    return std::unique_ptr<PreparedUndo>(std::move(undo));
+}
+
+Status WorldArchive::replay_new_ticks(const std::string& id, ArchivedUndo& undo) {
+    Result<std::unique_ptr<WorldStorageCopy>> copy = slow();
+    writer_->run_on_writer(
+        [&](WorldStorage& storage) {
+            copy = WorldStorageCopy::journal_of(storage, id, undo.world.sequence);
+        },
+        timeout);
+    if (!copy.ok()) return copy.error();
+    const StoredWorld stored = (*copy)->worlds().value().front();
+    undo.world =
+        continue_recovery(**copy, stored, undo.definition, undo.options, std::move(undo.world));
+    undo.inputs = undo.world.omitted;
+    if (!undo.world.is_cut) return {};
+    return Error{ErrorCode::failed_precondition,
+                 "the history is shorter than the time that the replay takes: " +
+                     undo.world.warnings.back()};
+}
+
+Result<WorldStart> WorldArchive::undo(const std::string& id, PreparedUndo& prepared) {
+    ArchivedUndo& undo = static_cast<ArchivedUndo&>(prepared);
+    Result<StoppedWorld> last = load_stopped_world(id);
+    if (!last.ok()) return last.error();
+    const OmittedInputs& omitted = undo.options.omitted.front();
+    if (Status s = replay_new_ticks(id, undo); !s.ok()) return s.error();
+    // Both were replayed from different checkpoints.
+    if (undo.world.tick != last->found.tick || physics::state_hash(undo.world.world.world()) !=
+                                                   physics::state_hash(last->found.world.world()))
+        return Error{ErrorCode::internal,
+                     "the journal replays to tick " + std::to_string(undo.world.tick) +
+                         " in another state than that of tick " + std::to_string(last->found.tick)};
+    // A rewind to before the first undone tick was the last change.
+    if (!undo.world.without)
+        return Error{
+            ErrorCode::failed_precondition,
+            "the world has just been rewound to before tick " + std::to_string(omitted.first_tick)};
+    const Undo entry{
+        .tick = last->found.tick + 1, .first_tick = omitted.first_tick, .client = omitted.client};
+    return continue_with(*std::move(last), std::move(undo.world.without->world),
+                         {.ticks = {}, .paused_ticks = {}, .rewind = {}, .undo = entry});
 }
 
 }  // namespace jostle::server

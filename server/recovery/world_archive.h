@@ -15,6 +15,7 @@
 #include "server/recovery/recover_world.h"
 #include "server/recovery/stored_world_journal.h"
 #include "server/recovery/world_definition.h"
+#include "server/recovery/world_storage_copy.h"
 #include "server/storage/sqlite_storage.h"
 #include "server/storage/storage_writer.h"
 #include "server/world/world_host.h"
@@ -72,6 +73,9 @@ public:
     Result<HostedWorld> world_at(const std::string& id, std::uint32_t tick) override;
     Result<WorldStart> reload(const std::string& id) override;
     Result<WorldStart> rewind(const std::string& id, std::uint32_t tick, HostedWorld past) override;
+    Result<std::unique_ptr<PreparedUndo>> prepare_undo(const std::string& id, ClientId client,
+                                                       std::uint32_t first_tick) override;
+    Result<WorldStart> undo(const std::string& id, PreparedUndo& prepared) override;
     Result<TemporaryFile> back_up() override;
     // Any thread: a copy of the persisted world up to `last_tick`.
     Result<std::unique_ptr<WorldStorage>> copy_of(const std::string& id, std::uint32_t last_tick);
@@ -88,7 +92,7 @@ private:
     Result<PersistedWorld> load_world(WorldStorage& storage, const StoredWorld& stored);
     // Recovers the world except for commands that crash it.
     Result<RecoveredWorld> recover(WorldStorage& storage, const StoredWorld& stored,
-                                   const WorldDefinition& definition);
+                                   const WorldDefinition& definition, bool portable_only = false);
     // A world of this process that has stopped.
     struct StoppedWorld {
         StoredWorld stored;
@@ -98,6 +102,13 @@ private:
     };
     Result<StoppedWorld> load_stopped_world(const std::string& id);
     WorldStart start_of(StoppedWorld last);
+    // Continues from `next` in the tick after the last one; `why` is its entry in the journal.
+    Result<WorldStart> continue_with(StoppedWorld last, HostedWorld next, JournalSegment why);
+    struct ArchivedUndo;
+    // Replays the ticks that were written since the last replay.
+    Status replay_new_ticks(const std::string& id, ArchivedUndo& undo);
+    // A copy of the world with checkpoints up to `tick` and the whole journal after them.
+    Result<std::unique_ptr<WorldStorageCopy>> copy_since(const std::string& id, std::uint32_t tick);
     void quarantine_tick(const StoredWorld& stored, const JournaledTick& tick);
     std::shared_ptr<WorldJournal> make_journal(const WorldStart& start,
                                                const JournalPosition& position);

@@ -39,10 +39,10 @@ std::string encode_world_definition(const WorldDefinition& definition) {
 
 Result<WorldDefinition> decode_world_definition(std::string_view bytes) {
     ByteReader from(bytes);
-    if (const std::uint64_t version = from.number(); version != definition_version)
-        return not_a_definition("version " + std::to_string(version) +
-                                "; this server reads version " +
-                                std::to_string(definition_version));
+    if (const std::uint64_t version = from.number(); from.ok() && version != definition_version)
+        return Error{ErrorCode::failed_precondition,
+                     "unsupported world definition: version " + std::to_string(version) +
+                         "; this server reads version " + std::to_string(definition_version)};
     WorldDefinition definition;
     definition.owner = from.text();
     Result<scenes::SceneDescription> scene = scenes::read_scene_json(from.text());

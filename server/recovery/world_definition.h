@@ -22,7 +22,8 @@ struct WorldDefinition {
 };
 
 std::string encode_world_definition(const WorldDefinition& definition);
-// corrupt_data: the bytes are not a world definition.
+// corrupt_data: the bytes are not a world definition. failed_precondition: they have a version that
+// this server does not read.
 Result<WorldDefinition> decode_world_definition(std::string_view bytes);
 
 // Identifies the arithmetic and the version within which checkpoints are exact to the bit.

@@ -11,39 +11,63 @@ namespace jostle::server {
 Result<std::unique_ptr<WorldStorageCopy>> WorldStorageCopy::of(WorldStorage& storage,
                                                                const std::string& id,
                                                                std::size_t checkpoints_max,
+                                                               std::uint32_t last_checkpoint,
                                                                std::uint32_t last_tick) {
-    constexpr std::size_t bytes_at_once = 8 << 20;
     auto copy = std::make_unique<WorldStorageCopy>();
-    const Result<std::vector<StoredWorld>> all = storage.worlds();
-    if (!all.ok()) return all.error();
-    const auto at = std::ranges::find(*all, id, &StoredWorld::id);
-    if (at == all->end()) return Error{ErrorCode::not_found, "world " + id + " is not persisted"};
-    copy->world_ = *at;
-    ASSERT(copy->world_.id == id);
+    if (Status s = copy->copy_world(storage, id); !s.ok()) return s.error();
     const Result<std::vector<std::uint32_t>> ticks = storage.checkpoint_ticks(id);
     if (!ticks.ok()) return ticks.error();
     for (const std::uint32_t tick : *ticks) {
-        if (tick > last_tick || copy->checkpoints_.size() >= checkpoints_max) continue;
+        if (tick > last_checkpoint || copy->checkpoints_.size() >= checkpoints_max) continue;
         Result<Checkpoint> found = storage.checkpoint(id, tick);
         if (found.ok()) copy->checkpoints_.push_back(*std::move(found));
     }
     if (copy->checkpoints_.empty())
         return Error{ErrorCode::not_found, "world " + id + " has no intact checkpoint"};
     const std::uint64_t first = copy->checkpoints_.back().sequence;
-    std::uint64_t after = first == 0 ? 0 : first - 1;
+    copy->copy_entries(storage, first == 0 ? 0 : first - 1, last_tick);
+    return copy;
+}
+
+Result<std::unique_ptr<WorldStorageCopy>> WorldStorageCopy::journal_of(WorldStorage& storage,
+                                                                       const std::string& id,
+                                                                       std::uint64_t sequence) {
+    auto copy = std::make_unique<WorldStorageCopy>();
+    if (Status s = copy->copy_world(storage, id); !s.ok()) return s.error();
+    copy->copy_entries(storage, sequence, 0xffffffff);
+    return copy;
+}
+
+Status WorldStorageCopy::copy_world(WorldStorage& storage, const std::string& id) {
+    const Result<std::vector<StoredWorld>> all = storage.worlds();
+    if (!all.ok()) return all.error();
+    const auto at = std::ranges::find(*all, id, &StoredWorld::id);
+    if (at == all->end()) return Error{ErrorCode::not_found, "world " + id + " is not persisted"};
+    world_ = *at;
+    ASSERT(world_.id == id);
+    return {};
+}
+
+void WorldStorageCopy::copy_entries(WorldStorage& storage, std::uint64_t after,
+                                    std::uint32_t last_tick) {
+    constexpr std::size_t bytes_at_once = 8 << 20;
     for (;;) {
-        Result<std::vector<JournalEntry>> some = storage.entries(id, after, bytes_at_once);
+        Result<std::vector<JournalEntry>> some = storage.entries(world_.id, after, bytes_at_once);
         if (!some.ok()) {
-            copy->damage_ = some.error();
-            break;
+            damage_ = some.error();
+            return;
         }
-        if (some->empty()) break;
+        if (some->empty()) return;
         after = some->back().sequence;
         const bool enough = some->back().last_tick >= last_tick;
-        std::ranges::move(*some, std::back_inserter(copy->entries_));
-        if (enough) break;
+        std::ranges::move(*some, std::back_inserter(entries_));
+        if (enough) return;
     }
-    return copy;
+}
+
+void WorldStorageCopy::add(Checkpoint checkpoint) {
+    ASSERT(checkpoints_.empty() || checkpoints_.front().tick < checkpoint.tick);
+    checkpoints_.insert(checkpoints_.begin(), std::move(checkpoint));
 }
 
 Status WorldStorageCopy::write(std::span<const StorageChange>) {

@@ -244,6 +244,32 @@ Status AdminControl::rewind_world(const v1::RewindWorldRequest& request,
     return {};
 }
 
+Status AdminControl::undo_client(const v1::UndoClientRequest& request,
+                                 v1::UndoClientResponse& response) {
+    if (request.client() == scene_client)
+        return invalid_argument("client is 0; it must be the id of a client");
+    if (!(1 <= request.seconds() && request.seconds() <= undo_seconds_max))
+        return invalid_argument(fmt::format("seconds is {:g}; it must be from 1 to {:g}",
+                                            request.seconds(), undo_seconds_max));
+    const auto world = find_world(context_, request.world());
+    if (!world.ok()) return world.error();
+    const WaitSlot slot(waiting_);
+    if (Status s = slot.admitted(); !s.ok()) return s;
+    const auto undone = context_.worlds.undo(*world, request.client(), request.seconds());
+    if (!undone.ok()) return undone.error();
+    const WorldHost& host = *undone->host;
+    const std::uint32_t tick = host.properties().first_tick;
+    const double seconds = (tick - undone->first_tick) / host.hz();
+    log_info(
+        "world {}: an operator undid {} inputs of client {} in the last {:.1f} s, from tick {} on",
+        host.id(), undone->inputs, request.client(), seconds, undone->first_tick);
+    response.set_tick(tick);
+    response.set_first_tick(undone->first_tick);
+    response.set_inputs(static_cast<std::uint32_t>(undone->inputs));
+    response.set_seconds(seconds);
+    return {};
+}
+
 Status AdminControl::write_export(ExportedScene exported, v1::ExportWorldResponse& response) const {
     *response.mutable_scene() = scenes::to_message(exported.scene);
     for (std::string& sentence : exported.omitted) *response.add_omitted() = std::move(sentence);

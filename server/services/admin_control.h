@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // AdminService without a transport, used by gRPC (grpc/admin_methods.cpp) and by the admin port.
-// The transport authorizes the calls. Any thread. step_world(), export_world(), rewind_world() and
-// profile() wait for a world and block the thread for up to half a minute, so only a few of them
-// run at a time.
+// The transport authorizes the calls. Any thread. step_world(), export_world(), rewind_world(),
+// undo_client() and profile() wait for a world and block the thread for up to half a minute, undos
+// of a long time for longer, so only a few of them run at a time.
 #pragma once
 
 #include <atomic>
@@ -39,6 +39,8 @@ class StepWorldRequest;
 class StepWorldResponse;
 class UnbanRequest;
 class UnbanResponse;
+class UndoClientRequest;
+class UndoClientResponse;
 }  // namespace jostle::v1
 
 namespace jostle::server {
@@ -47,6 +49,7 @@ class AdminControl {
 public:
     static constexpr int waiting_max = 2;  // concurrent calls that wait for a world
     static constexpr double profile_seconds_max = 30;
+    static constexpr double undo_seconds_max = 3600;
 
     explicit AdminControl(PlayContext& context) : context_(context) {}
 
@@ -71,6 +74,7 @@ public:
     Status step_world(const v1::StepWorldRequest& request, v1::StepWorldResponse& response);
     Status export_world(const v1::ExportWorldRequest& request, v1::ExportWorldResponse& response);
     Status rewind_world(const v1::RewindWorldRequest& request, v1::RewindWorldResponse& response);
+    Status undo_client(const v1::UndoClientRequest& request, v1::UndoClientResponse& response);
     Status remove_bodies(const v1::RemoveBodiesRequest& request,
                          v1::RemoveBodiesResponse& response);
     Status backup(const v1::BackupRequest& request, v1::BackupResponse& response);

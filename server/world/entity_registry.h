@@ -36,6 +36,9 @@ public:
     void write(SavedHostState& host_state) const;
     // Never assigns ids that `other` has assigned.
     void skip_ids_of(const EntityRegistry& other) { next_id_ = std::max(next_id_, other.next_id_); }
+    EntityId next_id() const { return next_id_; }
+    // No entity may have this id.
+    void set_next_id(EntityId id) { next_id_ = id; }
     // entity_of() finds a removed body until the step after the next one begins.
     void remove(EntityId id);
     // After each step of the world, whose events name only bodies that existed before it.

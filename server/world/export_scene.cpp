@@ -68,7 +68,7 @@ private:
         for (std::size_t i = 0; i < ids_.bodies.size(); i++) {
             if (!world_.contains(ids_.bodies[i])) continue;
             new_index_[i] = out_.scene.bodies.size();
-            out_.scene.bodies.push_back(export_body(world_, ids_.bodies[i], origin_.bodies[i]));
+            add_body(ids_.bodies[i], origin_.bodies[i]);
         }
     }
 
@@ -81,12 +81,17 @@ private:
                 module_bodies_++;
                 continue;
             }
-            out_.scene.bodies.push_back(export_body(world_, entity.body,
-                                                    {.name = entity.description->name,
-                                                     .body = {},
-                                                     .shapes = {},
-                                                     .color = entity.description->color}));
+            add_body(entity.body, {.name = entity.description->name,
+                                   .body = {},
+                                   .shapes = {},
+                                   .color = entity.description->color});
         }
+        ASSERT(out_.bodies.size() == out_.scene.bodies.size());
+    }
+
+    void add_body(BodyId id, const SceneBody& scene_body) {
+        out_.scene.bodies.push_back(export_body(world_, id, scene_body));
+        out_.bodies.push_back(id);
     }
 
     void add_joints() {

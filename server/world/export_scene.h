@@ -20,7 +20,8 @@ struct SceneIds {
 
 struct ExportedScene {
     scenes::SceneDescription scene;
-    std::vector<std::string> omitted;  // parts that a scene cannot represent, one sentence each
+    std::vector<physics::BodyId> bodies;  // of the world, one for each body of the scene
+    std::vector<std::string> omitted;     // parts that a scene cannot represent, one sentence each
 };
 
 // `origin`: the scene that the world was built from. Removed bodies and broken joints are skipped;

@@ -60,6 +60,8 @@ Result<HostedWorld> HostedWorld::restore(World world, const SavedHostState& host
         hosted.last_sequences_[input.client] = input.sequence;
     hosted.quarantined_.insert(host_state.quarantined.begin(), host_state.quarantined.end());
     hosted.ids_ = {host_state.scene_bodies, host_state.scene_joints};
+    // Only after recovery from a portable checkpoint: its modules created their bodies again.
+    sync_module_entities(state, hosted.bodies_);
     Result<ModuleChannels> channels = ModuleChannels::of(state.world);
     if (!channels.ok()) return channels.error();
     hosted.channels_ = *std::move(channels);
@@ -160,7 +162,7 @@ std::size_t HostedWorld::remove_bodies_of(ClientId client) {
     return bodies.size();
 }
 
-void HostedWorld::replay(const JournaledCommand& command) {
+EntityId HostedWorld::replay(const JournaledCommand& command, EntityId spawned) {
     const bool has = command.action.has_value();
     const bool is_leave = has && std::holds_alternative<LeaveCommand>(*command.action);
     if (is_leave)
@@ -168,8 +170,14 @@ void HostedWorld::replay(const JournaledCommand& command) {
     else if (command.sequence != 0)
         last_sequences_[command.client] = command.sequence;
     EntityId affected = 0;
-    if (has)
-        static_cast<void>(apply_action(state_, command.client, *command.action, affected).ok());
+    if (!has) return affected;
+    EntityRegistry& entities = state_.entities;
+    const EntityId next = entities.next_id();
+    const bool has_id = spawned != 0 && !entities.find(spawned);
+    if (has_id) entities.set_next_id(spawned);
+    static_cast<void>(apply_action(state_, command.client, *command.action, affected).ok());
+    if (has_id) entities.set_next_id(std::max(next, spawned + 1));
+    return affected;
 }
 
 Status HostedWorld::step(double dt, std::uint32_t tick) {

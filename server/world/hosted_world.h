@@ -58,8 +58,13 @@ public:
     void enable_journal() { journal_enabled_ = true; }
     // Returns the commands that were applied since the previous call.
     std::vector<JournaledCommand> take_journal() { return std::exchange(journal_, {}); }
-    // Repeats a recorded apply() on a world with the state of that time.
-    void replay(const JournaledCommand& command);
+    // Repeats a recorded apply() on a world with the state of that time, and returns the affected
+    // entity (0: none). `spawned`: the id of a spawned entity; 0: the next one.
+    EntityId replay(const JournaledCommand& command, EntityId spawned = 0);
+    // Leaves a gap of `count` ids before the next entity.
+    void skip_ids(std::uint32_t count) {
+        state_.entities.set_next_id(state_.entities.next_id() + count);
+    }
     // Steps the world and publishes the module channels of `tick`, which starts at 1. aborted:
     // stop_stepping() was called.
     Status step(double dt, std::uint32_t tick = 1);

@@ -103,9 +103,11 @@ std::string encode_host_state(const SavedHostState& host_state) {
 
 Result<SavedHostState> decode_host_state(std::string_view bytes) {
     HostStateReader reader{ByteReader(bytes)};
-    if (const std::uint64_t version = reader.from.number(); version != host_state_version)
-        return corrupt_host_state("version " + std::to_string(version) + "; this server reads " +
-                                  std::to_string(host_state_version));
+    if (const std::uint64_t version = reader.from.number();
+        reader.from.ok() && version != host_state_version)
+        return Error{ErrorCode::failed_precondition,
+                     "unsupported host state: version " + std::to_string(version) +
+                         "; this server reads version " + std::to_string(host_state_version)};
     SavedHostState host_state;
     visit(reader, host_state);
     if (!reader.from.ok()) return corrupt_host_state("truncated");

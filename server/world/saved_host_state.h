@@ -61,7 +61,8 @@ struct SavedHostState {
 std::map<ClientId, std::uint32_t> clients_of(const SavedHostState& host_state);
 
 std::string encode_host_state(const SavedHostState& host_state);
-// corrupt_data: the bytes are not an encoded host state.
+// corrupt_data: the bytes are not an encoded host state. failed_precondition: they have a version
+// that this server does not read.
 Result<SavedHostState> decode_host_state(std::string_view bytes);
 
 }  // namespace jostle::server

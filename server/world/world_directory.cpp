@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 
 #include "jostle/base/check.h"
 #include "server/util/log.h"
@@ -35,6 +36,12 @@ Status check_name(const std::string& name) {
                          "\" has the form of a world id (wN or wN-...); choose "
                          "another name"};
     return {};
+}
+
+Error not_persisted() {
+    return {ErrorCode::failed_precondition,
+            "the world is not persisted, so only its current state is available; "
+            "set persistence.database to persist worlds"};
 }
 
 Error name_taken(const std::string& name) {
@@ -182,10 +189,7 @@ std::vector<std::shared_ptr<WorldHost>> WorldDirectory::list() const {
 }
 
 Result<HostedWorld> WorldDirectory::world_at(const WorldHost& world, std::uint32_t tick) const {
-    if (!world.is_persisted())
-        return Error{ErrorCode::failed_precondition,
-                     "the world is not persisted, so only its current state is available; "
-                     "set persistence.database to persist worlds"};
+    if (!world.is_persisted()) return not_persisted();
     return built([&] { return settings_.world_persistence->world_at(world.id(), tick); });
 }
 
@@ -199,19 +203,45 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::rewind(const std::shared_ptr<
                                                           std::uint32_t tick) {
     Result<HostedWorld> past = world_at(*world, tick);  // the world ticks meanwhile
     if (!past.ok()) return past.error();
+    auto host = replace_persisted(world, [&] {
+        return settings_.world_persistence->rewind(world->id(), tick, *std::move(past));
+    });
+    if (host.ok())
+        log_info("world {} \"{}\" was rewound to tick {}", world->id(), world->name(), tick);
+    return host;
+}
+
+Result<WorldDirectory::Undone> WorldDirectory::undo(const std::shared_ptr<WorldHost>& world,
+                                                    ClientId client, double seconds) {
+    if (!world->is_persisted()) return not_persisted();
+    const std::uint32_t now = world->frame()->tick, oldest = world->oldest_restorable_tick();
+    const double ticks = std::ceil(seconds * world->hz());
+    std::uint32_t first = ticks < now ? now - static_cast<std::uint32_t>(ticks) + 1 : 1;
+    first = std::max(first, oldest + 1);
+    WorldPersistence& persistence = *settings_.world_persistence;
+    // The world ticks meanwhile.
+    Result<std::unique_ptr<PreparedUndo>> prepared =
+        built([&] { return persistence.prepare_undo(world->id(), client, first); });
+    if (!prepared.ok()) return prepared.error();
+    auto host = replace_persisted(world, [&] { return persistence.undo(world->id(), **prepared); });
+    if (!host.ok()) return host.error();
+    return Undone{*std::move(host), first, (*prepared)->inputs};
+}
+
+Result<std::shared_ptr<WorldHost>> WorldDirectory::replace_persisted(
+    const std::shared_ptr<WorldHost>& world, const std::function<Result<WorldStart>()>& start) {
     if (!world->stop_for_replacement())
         return Error{ErrorCode::aborted,
                      "the world was stopped or is being rewound by another request"};
-    Status rewound;
+    Status replaced;
     Result<Replacement> replacement = built([&]() -> Result<Replacement> {
-        Result<WorldStart> start =
-            settings_.world_persistence->rewind(world->id(), tick, *std::move(past));
-        if (!start.ok()) return start.error();
-        start->paused = world->lifecycle().paused();
-        return start_replacement(*std::move(start));
+        Result<WorldStart> started = start();
+        if (!started.ok()) return started.error();
+        started->paused = world->lifecycle().paused();
+        return start_replacement(*std::move(started));
     });
     if (!replacement.ok()) {
-        rewound = replacement.error();
+        replaced = replacement.error();
         replacement = restart_failed_world(*world);
     }
     if (!replacement.ok()) {
@@ -225,8 +255,7 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::rewind(const std::shared_ptr<
     }
     if (!replace(world, *replacement))
         return Error{ErrorCode::not_found, "the world was deleted meanwhile"};
-    if (!rewound.ok()) return rewound.error();
-    log_info("world {} \"{}\" was rewound to tick {}", world->id(), world->name(), tick);
+    if (!replaced.ok()) return replaced.error();
     return replacement->host;
 }
 

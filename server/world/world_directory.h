@@ -49,6 +49,15 @@ public:
     // continues unchanged.
     Result<std::shared_ptr<WorldHost>> rewind(const std::shared_ptr<WorldHost>& world,
                                               std::uint32_t tick);
+    // Replaces the world by one without the inputs of `client` in its last seconds, in a new host
+    // like rewind(). The history bounds the time. Errors: those of scene_at(); not_found: the
+    // client has no inputs in that time. The world then continues unchanged.
+    struct Undone {
+        std::shared_ptr<WorldHost> host;
+        std::uint32_t first_tick = 0;  // whose inputs were undone
+        std::size_t inputs = 0;
+    };
+    Result<Undone> undo(const std::shared_ptr<WorldHost>& world, ClientId client, double seconds);
     // `callback` is called when a new host replaces a world, with the clients of its saved state.
     // Set it before the first world.
     using OnReplaced = std::function<void(const std::shared_ptr<WorldHost>& world,
@@ -77,6 +86,10 @@ private:
                                                    Start start);
     Result<Replacement> restart_failed_world(const WorldHost& failed) const;
     Replacement start_replacement(WorldStart start) const;
+    // Stops the world and continues it in a new host from what `start` returns. If it fails, the
+    // world continues unchanged.
+    Result<std::shared_ptr<WorldHost>> replace_persisted(
+        const std::shared_ptr<WorldHost>& world, const std::function<Result<WorldStart>()>& start);
     Result<HostedWorld> world_at(const WorldHost& world, std::uint32_t tick) const;
     // False: the stopped world was deleted meanwhile.
     bool replace(const std::shared_ptr<WorldHost>& stopped, const Replacement& replacement);

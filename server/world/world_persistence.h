@@ -62,6 +62,13 @@ struct WorldStart;
 // A file without a name: it is deleted when it is closed.
 using TemporaryFile = std::unique_ptr<std::FILE, FreeWith<std::fclose>>;
 
+// An undo that prepare_undo() computed up to a tick of the running world.
+struct PreparedUndo {
+    virtual ~PreparedUndo() = default;
+
+    std::size_t inputs = 0;  // of the client, undone so far
+};
+
 // The database of all worlds of a process. Any thread; these functions may block.
 class WorldPersistence {
 public:
@@ -80,6 +87,13 @@ public:
     // numbers, entity ids and input sequences continue, and the history in between is retained.
     virtual Result<WorldStart> rewind(const std::string& id, std::uint32_t tick,
                                       HostedWorld past) = 0;
+    // Replays the history of a running world without the inputs of `client` from `first_tick` on.
+    // not_found: a checkpoint before that tick, or inputs of the client.
+    virtual Result<std::unique_ptr<PreparedUndo>> prepare_undo(const std::string& id,
+                                                               ClientId client,
+                                                               std::uint32_t first_tick) = 0;
+    // Like rewind(), but the world continues from the last persisted tick without those inputs.
+    virtual Result<WorldStart> undo(const std::string& id, PreparedUndo& prepared) = 0;
     // A backup of all worlds as of now (server/storage/backup.h); the worlds continue meanwhile.
     virtual Result<TemporaryFile> back_up() = 0;
 };

@@ -546,6 +546,8 @@ void write_persisted(const fs::path& folder) {
     seeds.add(server::encode_journal(journal));
     seeds.add(server::encode_journal(
         {.ticks = {}, .paused_ticks = {}, .rewind = server::Rewind{90, 30}}));
+    seeds.add(server::encode_journal(
+        {.ticks = {}, .paused_ticks = {}, .rewind = {}, .undo = server::Undo{90, 30, 1}}));
     server::CheckpointCopy moment{
         .tick = tick, .bodies = {}, .host_state = world->host_state(tick)};
     moment.bodies.capture(world->world());

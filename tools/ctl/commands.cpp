@@ -254,6 +254,24 @@ Outcome rewind(Connection& server, const CommandArguments& arguments) {
                           (response.ok() ? std::to_string(response->tick()) : ""));
 }
 
+Outcome undo(Connection& server, const CommandArguments& arguments) {
+    v1::UndoClientRequest request;
+    request.set_world(arguments.world);
+    request.set_client(arguments.client);
+    request.set_seconds(arguments.undo_seconds);
+    const auto response = server.call(&Admin::UndoClient, request, std::chrono::seconds(600));
+    if (!response.ok()) return server_error(response.error());
+    char seconds[32];
+    std::snprintf(seconds, sizeof seconds, "%.1f", response->seconds());
+    const bool is_shorter = response->seconds() < arguments.undo_seconds - 0.05;
+    return to_outcome(response, arguments,
+                      std::to_string(response->inputs()) + " inputs of client " +
+                          std::to_string(arguments.client) + " in the last " + seconds +
+                          " s were undone in " + sanitized(arguments.world) +
+                          (is_shorter ? ", which is all of its history" : "") +
+                          "; ticks continue from " + std::to_string(response->tick()));
+}
+
 Outcome remove_bodies(Connection& server, const CommandArguments& arguments) {
     v1::RemoveBodiesRequest request;
     request.set_world(arguments.world);

@@ -20,6 +20,7 @@ struct CommandArguments {
     std::uint32_t tick = 0;        // 0: the current tick
     std::string subject, network;  // of a ban; one of them is empty
     double seconds = 5;
+    double undo_seconds = 60;
     double hours = 0;  // of a ban; 0: until it is removed
     bool json = false;
 };
@@ -43,6 +44,8 @@ Outcome resume(Connection& server, const CommandArguments& arguments);
 Outcome step(Connection& server, const CommandArguments& arguments);
 Outcome export_world(Connection& server, const CommandArguments& arguments);
 Outcome rewind(Connection& server, const CommandArguments& arguments);
+// Undoes the inputs of `client` in the last `undo_seconds` of `world`.
+Outcome undo(Connection& server, const CommandArguments& arguments);
 // Downloads a backup of the database to `file`.
 Outcome backup(Connection& server, const CommandArguments& arguments);
 // Removes the bodies that `client` spawned in `world`.

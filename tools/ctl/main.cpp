@@ -28,6 +28,7 @@ Examples:
   jostlectl export arena arena.json                 write a scene file; "-" is standard output
   jostlectl export arena then.json --at 1234        export an earlier tick of a persisted world
   jostlectl profile arena arena.trace.json          record 5 s of ticks for ui.perfetto.dev
+  jostlectl undo yard 17 --seconds 30               undo what client 17 did in the last 30 s
   jostlectl backup worlds.backup                    download a backup while the worlds run
   jostlectl verify worlds.backup && jostlectl restore worlds.backup worlds.db
   jostlectl drain                                   notify clients, then stop the server
@@ -187,6 +188,17 @@ void add_client_commands(CLI::App& app, Flags& flags) {
     remove_bodies->add_option("CLIENT", w.client, "Id of the client, also one that has left")
         ->type_name("")
         ->required();
+    CLI::App* const undo =
+        add(app, flags, "undo", "Undo the recent inputs of one client in a persisted world",
+            jostle::ctl::undo);
+    add_world_argument(undo, flags);
+    undo->add_option("CLIENT", w.client, "Id of the client, also one that has left")
+        ->type_name("")
+        ->required();
+    undo->add_option("--seconds", w.undo_seconds,
+                     "Undo the inputs of this time [default: 60; 1 to 3600]")
+        ->type_name("SECONDS")
+        ->check(CLI::Range(1.0, 3600.0).description(""));
     CLI::App* const backup =
         add(app, flags, "backup", "Download a backup of all persisted worlds", jostle::ctl::backup);
     backup->add_option("FILE", w.file, "File to write")->type_name("")->required();

@@ -34,6 +34,7 @@ Examples:
   jostle-replay worlds.db --world yard --at 1234 --export then.json
   jostle-replay worlds.db --world yard --hash-every 600
   jostle-replay worlds.db --world yard --diff other.db
+  jostle-replay worlds.db --world --add-portable    # all worlds, before an older server opens them
 
 Recordings are written by jostle-record. A truncated recording, after a crash or while it is
 written, is read up to its last complete record; corrupt records are skipped. The summary reports
@@ -53,7 +54,7 @@ struct Flags {
     std::optional<std::uint32_t> at, hash_every;
     std::optional<std::string> world;
     std::string export_to, diff;
-    bool verify = false, json = false;
+    bool verify = false, json = false, add_portable = false;
 };
 
 int fail(int status, const std::string& message) {
@@ -202,7 +203,42 @@ int print_difference(PersistedWorld& world, const Flags& flags) {
     return 1;
 }
 
+int add_portable(const Flags& flags) {
+    const auto listing = PersistedWorld::list(flags.file);
+    if (!listing.ok()) return fail(2, listing.error().message);
+    auto json = nlohmann::json::array();
+    int status = 0;
+    bool found = false;
+    for (const auto& stored : listing->worlds) {
+        if (!flags.world->empty() && *flags.world != stored.id && *flags.world != stored.name)
+            continue;
+        found = true;
+        auto world = PersistedWorld::open(flags.file, stored.id);
+        if (!world.ok()) status = fail(1, world.error().message);
+        if (!world.ok()) continue;
+        const auto added = world->add_portable();
+        if (!added.ok()) status = fail(1, added.error().message);
+        if (!added.ok()) continue;
+        json.push_back({{"id", stored.id},
+                        {"name", stored.name},
+                        {"tick", added->tick},
+                        {"bytes", added->bytes},
+                        {"omitted", added->omitted}});
+        if (flags.json) continue;
+        std::printf("world %s \"%s\": portable checkpoint of tick %u, %.1f kB\n", stored.id.c_str(),
+                    stored.name.c_str(), added->tick, static_cast<double>(added->bytes) / 1e3);
+        for (const std::string& omitted : added->omitted)
+            std::printf("  omitted: %s\n", omitted.c_str());
+    }
+    if (flags.json) print(json);
+    for (const std::string& damage : listing->damage) status = fail(1, damage);
+    if (found) return status;
+    return fail(1, flags.file + " contains no world" +
+                       (flags.world->empty() ? "s" : " \"" + *flags.world + "\""));
+}
+
 int run_database(const Flags& flags) {
+    if (flags.add_portable) return add_portable(flags);
     if (flags.world->empty()) return list(flags);
     auto world = PersistedWorld::open(flags.file, *flags.world);
     if (!world.ok()) return fail(2, world.error().message);
@@ -244,12 +280,20 @@ int main(int argc, char** argv) {
                       ->needs(world)
                       ->excludes(at)
                       ->excludes(verify_flag);
-    app.add_option("--diff", flags.diff, "Compare with the same world in another database")
-        ->type_name("FILE")
+    auto* diff =
+        app.add_option("--diff", flags.diff, "Compare with the same world in another database")
+            ->type_name("FILE")
+            ->needs(world)
+            ->excludes(at)
+            ->excludes(verify_flag)
+            ->excludes(every);
+    app.add_flag("--add-portable", flags.add_portable,
+                 "Write a checkpoint from which another version can resume")
         ->needs(world)
         ->excludes(at)
         ->excludes(verify_flag)
-        ->excludes(every);
+        ->excludes(every)
+        ->excludes(diff);
     app.add_flag("--json", flags.json, "Print JSON");
     app.footer(footer);
     if (const auto status =

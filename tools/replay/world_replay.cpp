@@ -6,6 +6,8 @@
 #include <utility>
 
 #include "jostle/physics/serialization.h"
+#include "server/recovery/checkpoint_data.h"
+#include "server/recovery/portable_checkpoint.h"
 #include "server/storage/compression.h"
 #include "server/storage/sqlite_storage.h"
 
@@ -146,7 +148,27 @@ Result<RecoveredWorld> PersistedWorld::at(std::uint32_t tick) {
 Result<server::ExportedScene> PersistedWorld::scene_at(std::uint32_t tick) {
     auto world = at(tick);
     if (!world.ok()) return world.error();
-    return world->world.exported(*record_.scene);
+    return world->world.exported(*world->scene);
+}
+
+Result<PersistedWorld::Portable> PersistedWorld::add_portable() {
+    if (!damage_.empty()) return Error{ErrorCode::failed_precondition, damage_.front()};
+    auto world = server::recover_world(*store_, stored_, record_, {});
+    if (!world.ok()) return world.error();
+    // The exact form would no longer be that of the engine that the database names.
+    if (!world->warnings.empty())
+        return Error{ErrorCode::failed_precondition,
+                     "world " + stored_.id + ": " + world->warnings.back() +
+                         "; use the jostle-replay of the version that wrote the database"};
+    auto checkpoint = server::make_checkpoint(world->world, world->tick, world->sequence);
+    if (!checkpoint.ok()) return checkpoint.error();
+    server::PortableForm portable = server::encode_portable(world->world, world->tick, record_);
+    const Portable added{world->tick, portable.bytes.size(), std::move(portable.omitted)};
+    checkpoint->portable = std::move(portable.bytes);
+    const server::StorageChange change[] = {
+        server::PutCheckpoint{stored_.id, *std::move(checkpoint)}};
+    if (Status s = store_->write(change); !s.ok()) return s.error();
+    return added;
 }
 
 Status PersistedWorld::hashes(std::uint32_t every, const OnHash& on_hash) {

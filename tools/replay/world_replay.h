@@ -50,6 +50,15 @@ public:
     // The tick as a scene, with state that a scene cannot express, one sentence each.
     Result<server::ExportedScene> scene_at(std::uint32_t tick);
 
+    struct Portable {
+        std::uint32_t tick = 0;
+        std::size_t bytes = 0;             // of the portable form
+        std::vector<std::string> omitted;  // parts that it cannot represent, one sentence each
+    };
+    // Writes a checkpoint of the last tick with a portable form, from which another version can
+    // resume. failed_precondition: another version wrote the world, or it is damaged.
+    Result<Portable> add_portable();
+
     // Reports the state hash of every `every`-th tick, from the oldest checkpoint on.
     using OnHash = std::function<void(std::uint32_t tick, std::uint64_t hash)>;
     Status hashes(std::uint32_t every, const OnHash& on_hash);

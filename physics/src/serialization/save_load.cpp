@@ -22,6 +22,10 @@ constexpr std::uint32_t version = saved_world_version, oldest_version = 8;
 constexpr std::size_t length_at = 8 + 4, checksum_at = length_at + 8,
                       header_bytes = checksum_at + 8;
 
+bool is_supported(std::uint32_t found_version) {
+    return oldest_version <= found_version && found_version <= version;
+}
+
 // Estimated size of a saved world. Numerous records take fewer bytes than in memory.
 std::size_t expected_bytes(const WorldStores& world) {
     std::size_t lanes = 0;
@@ -68,6 +72,17 @@ std::vector<std::byte> save(const World& world) {
     return end_saved_world(saver);
 }
 
+std::uint32_t saved_format_version() {
+    return version;
+}
+
+bool has_unsupported_version(std::span<const std::byte> bytes) {
+    ByteReader header(bytes);
+    const auto found_magic = header.read_bits<std::uint64_t>();
+    const auto found_version = header.read_bits<std::uint32_t>();
+    return !header.failed() && found_magic == magic && !is_supported(found_version);
+}
+
 Result<World> load(std::span<const std::byte> bytes) {
     ByteReader header(bytes);
     const auto found_magic = header.read_bits<std::uint64_t>();
@@ -79,7 +94,7 @@ Result<World> load(std::span<const std::byte> bytes) {
                        " bytes, fewer than the header's " + std::to_string(header_bytes));
     if (found_magic != magic)
         return corrupt("it does not begin with the magic number of a saved world");
-    if (found_version < oldest_version || found_version > version)
+    if (!is_supported(found_version))
         return corrupt("it has format version " + std::to_string(found_version) +
                        "; this library reads versions " + std::to_string(oldest_version) + " to " +
                        std::to_string(version));

@@ -229,7 +229,8 @@ TEST_F(AccessTest, token_for_one_world_sees_and_administrates_only_that_world) {
     EXPECT_EQ(call(admin_service + "SetPaused", "mine", token), grpc::StatusCode::OK);
     EXPECT_EQ(call(admin_service + "ListClients", "mine", token), grpc::StatusCode::OK);
     EXPECT_EQ(call(admin_service + "ListClients", "", token), grpc::StatusCode::OK);
-    for (const char* name : {"SetPaused", "ListClients", "ExportWorld", "RewindWorld", "Profile"})
+    for (const char* name :
+         {"SetPaused", "ListClients", "ExportWorld", "RewindWorld", "UndoClient", "Profile"})
         EXPECT_EQ(call(admin_service + name, "theirs", token), grpc::StatusCode::PERMISSION_DENIED)
             << name;
     EXPECT_EQ(call(admin_service + "Drain", "", token), grpc::StatusCode::PERMISSION_DENIED);

@@ -117,6 +117,22 @@ TEST(JournalCodec, rewind_is_a_separate_entry_absent_from_version_2) {
     EXPECT_FALSE(old.rewind);
 }
 
+TEST(JournalCodec, undo_is_a_separate_entry_of_version_4) {
+    const Undo undo{.tick = 90, .first_tick = 30, .client = 7};
+    const std::string bytes =
+        encode_journal({.ticks = {}, .paused_ticks = {}, .rewind = {}, .undo = undo});
+    EXPECT_EQ(bytes[0], 4);
+    EXPECT_EQ(decode_journal(bytes).value().undo, undo);
+    EXPECT_EQ(encode_journal({})[0], 3) << "older servers read a journal without undos";
+    const auto code_of = [](const JournalSegment& segment) {
+        return error_of(decode_journal(encode_journal(segment))).code;
+    };
+    EXPECT_EQ(code_of({.ticks = {}, .paused_ticks = {}, .rewind = {}, .undo = Undo{9, 9, 7}}),
+              ErrorCode::corrupt_data);
+    EXPECT_EQ(code_of({.ticks = {}, .paused_ticks = {{8, 9}}, .rewind = {}, .undo = undo}),
+              ErrorCode::corrupt_data);
+}
+
 TEST(JournalCodec, truncated_or_changed_bytes_are_rejected_or_read_within_bounds) {
     HostedWorld world = sandbox();
     const std::string whole = encode_journal(play(world, 12));
@@ -125,7 +141,7 @@ TEST(JournalCodec, truncated_or_changed_bytes_are_rejected_or_read_within_bounds
     EXPECT_EQ(error_of(decode_journal(whole + "x")).message,
               "corrupt journal record: data after the end");
     EXPECT_EQ(error_of(decode_journal("\x07")).message,
-              "corrupt journal record: version 7; this server reads versions 2 to 3");
+              "corrupt journal record: version 7; this server reads versions 2 to 4");
     test::Random random(5);
     int read = 0;
     for (int k = 0; k < 2000; k++) {

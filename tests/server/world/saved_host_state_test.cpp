@@ -115,6 +115,9 @@ TEST(SavedHostState, bytes_that_are_cut_or_changed_are_refused_or_read_within_bo
     const std::string whole = encode_host_state(run.world.host_state(60));
     for (std::size_t size = 0; size < whole.size(); size++)
         EXPECT_EQ(error_of(decode_host_state(whole.substr(0, size))).code, ErrorCode::corrupt_data);
+    std::string later = whole;
+    later[0] = 99;
+    EXPECT_EQ(error_of(decode_host_state(later)).code, ErrorCode::failed_precondition);
     EXPECT_EQ(error_of(decode_host_state(whole + "x")).message,
               "corrupt host state: trailing bytes");
     test::Random random(4);

@@ -150,6 +150,37 @@ TEST(PersistedWorld, reports_a_checkpoint_of_another_state) {
     EXPECT_NE(verified.errors[0].find("differs from the replayed world"), std::string::npos);
 }
 
+TEST(PersistedWorld, adds_a_portable_checkpoint_of_the_last_tick) {
+    const test::TempFolder folder;
+    const std::string path = folder / "worlds.db";
+    play(path, false);
+    const auto added = PersistedWorld::open(path, "yard").value().add_portable().value();
+    EXPECT_EQ(added.tick, 201u);
+    EXPECT_GT(added.bytes, 500u);
+    EXPECT_EQ(added.omitted, std::vector<std::string>());
+    auto again = PersistedWorld::open(path, "yard").value();
+    const auto verified = again.verify().value();
+    EXPECT_EQ(verified.errors, std::vector<std::string>());
+    EXPECT_EQ(verified.last_tick, 201u);
+}
+
+TEST(PersistedWorld, adds_no_portable_checkpoint_to_a_world_of_another_version) {
+    const test::TempFolder folder;
+    const std::string path = folder / "worlds.db";
+    play(path, false);
+    {
+        auto store = server::SqliteStorage::open(path, {}).value();
+        server::StoredWorld stored = store->worlds().value().at(0);
+        stored.engine = "fused 99.0.0";
+        stored.epoch++;
+        const server::StorageChange change[] = {server::PutWorld{stored}};
+        store->write(change).expect();
+    }
+    const Error refused = error_of(PersistedWorld::open(path, "yard").value().add_portable());
+    EXPECT_EQ(refused.code, ErrorCode::failed_precondition);
+    EXPECT_NE(refused.message.find("fused 99.0.0"), std::string::npos) << refused.message;
+}
+
 TEST(PersistedWorld, errors_name_the_missing_item_and_the_available_ones) {
     const test::TempFolder folder;
     play(folder / "worlds.db", false);

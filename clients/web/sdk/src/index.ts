@@ -37,7 +37,7 @@ export { postToServer, Queries, withToken, type Post } from './queries/queries.j
 
 // Playback of recordings.
 export { RecordedStream } from './recording/recorded_stream.js';
-export { Recording, RecordingError, type RecordedMessage } from './recording/recording.js';
+export { Recording, RecordingError, type DamagedRange, type RecordedMessage } from './recording/recording.js';
 
 // Simulated network conditions.
 export { IDEAL_NETWORK, NetworkSimulator, isImpaired, type Delivery, type NetworkConditions, type Transit } from './network_simulator/network_simulator.js';

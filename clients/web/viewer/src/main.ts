@@ -193,6 +193,8 @@ async function playRecording(name: string, bytes: Promise<ArrayBuffer>): Promise
   try {
     const recording = new Recording(new Uint8Array(await bytes));
     if (recording.truncationReason) toasts.show(`${name}: incomplete recording: ${recording.truncationReason}`);
+    for (const { reason, length, snapshotsSkipped } of recording.damage)
+      toasts.show(`${name}: damaged recording: ${reason}; ${length} bytes and ${snapshotsSkipped} snapshots are skipped`);
     driving.stopControlling();
     play(new RecordedStream(recording));
     connection.join('');

@@ -29,6 +29,14 @@ std::vector<std::byte> save(const World& world);
 /// Errors: corrupt_data, naming the defect and the field.
 Result<World> load(std::span<const std::byte> bytes);
 
+/// Returns the format version of save() and save_module(). A module's state has no version of its
+/// own: it can only be loaded by a build with the same format version.
+std::uint32_t saved_format_version();
+
+/// Returns true if the bytes begin like a saved world of a format version that load() does not
+/// read. load() then fails although the bytes may be intact.
+bool has_unsupported_version(std::span<const std::byte> bytes);
+
 /// Returns a 64-bit hash over everything that the next step depends on. A const call of the world.
 std::uint64_t state_hash(const World& world);
 

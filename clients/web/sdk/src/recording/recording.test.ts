@@ -59,13 +59,59 @@ describe('recording', () => {
     expect(last, 'Welcome, entity updates and a keyframe').toBeLessThan(10);
   });
 
-  it('is played up to damaged data and reports it', () => {
+  it('skips a damaged record and the snapshots up to the next keyframe', () => {
+    const whole = new Recording(bytes());
     const damaged = bytes();
     damaged[6000]! ^= 1;
     const recording = new Recording(damaged);
-    expect(recording.lastTick).toBeGreaterThan(191);
+    expect([recording.firstTick, recording.lastTick, recording.truncationReason]).toEqual([191, 550, '']);
+    expect(recording.damage).toHaveLength(1);
+    const [range] = recording.damage;
+    expect(range!.byte).toBeLessThanOrEqual(6000);
+    expect(range!.byte + range!.length).toBeGreaterThan(6000);
+    expect(range!.reason).toBe(`byte ${range!.byte}: CRC mismatch: the record is damaged`);
+    expect(range!.snapshotsSkipped).toBeGreaterThan(0);
+    expect(recording.messages.length, 'the record and the snapshots that refer to it').toBe(whole.messages.length - 1 - range!.snapshotsSkipped);
+    const frames = recording.messages.filter(({ frame }) => frame > 0);
+    const after = frames.findIndex(({ frame }, i) => i > 0 && frame - frames[i - 1]!.frame > 10);
+    expect(frames[after]!.keyframe).toBe(true);
+  });
+
+  it('finds the next record if lengths are damaged as well', () => {
+    const damaged = bytes();
+    damaged.fill(0x5a, 5900, 6100);
+    const recording = new Recording(damaged);
+    expect(recording.lastTick).toBe(550);
+    expect(recording.damage).toHaveLength(1);
+    expect(recording.damage[0]!.length).toBeGreaterThanOrEqual(100);
+    expect(recording.damage[0]!.reason).toMatch(/^byte \d+: (invalid message length|truncated message|CRC mismatch)/);
+  });
+
+  it('reports damage that nothing follows as the end', () => {
+    const damaged = bytes();
+    damaged.fill(0x5a, 6000);
+    const recording = new Recording(damaged);
     expect(recording.lastTick).toBeLessThan(550);
-    expect(recording.truncationReason).toMatch(/^byte \d+: CRC mismatch: the record is damaged$/);
+    expect(recording.damage).toEqual([]);
+    expect(recording.truncationReason).toMatch(/^byte \d+: /);
+  });
+
+  it('shows the same state before and after the damage as the whole recording', async () => {
+    const damaged = bytes();
+    damaged[6000]! ^= 1;
+    const poses: number[][] = [];
+    for (const recording of [new Recording(bytes()), new Recording(damaged)]) {
+      const { stream, connection, run, poses: current } = await play(recording);
+      run(5.5);
+      stream.playing = false;
+      run(0.05);
+      stream.seek(5);
+      run(0.05);
+      poses.push(current());
+      expect([connection.state, connection.decodeErrors]).toEqual(['playing', 0]);
+      connection.stop();
+    }
+    expect(poses[1]).toEqual(poses[0]);
   });
 
   it('rejects other files with an error message', () => {

@@ -1,6 +1,6 @@
 // A recording of jostle-record, as the list of messages that a server sent (proto/WIRE.md,
-// "Recordings"). It is read and checked when it is opened, up to the first incomplete or damaged
-// record. Bytes are untrusted.
+// "Recordings"). It is read and checked when it is opened. Damaged records are skipped, with the
+// snapshots that cannot be decoded without them. Bytes are untrusted.
 
 import { fromBinary } from '@bufbuild/protobuf';
 import { crc32 } from '../snapshot/crc32.js';
@@ -25,10 +25,21 @@ export interface RecordedMessage {
   readonly persistent: boolean;
 }
 
+/** Bytes that were skipped because no record can be read there. */
+export interface DamagedRange {
+  readonly byte: number;
+  readonly length: number;
+  /** The first error in it: "byte 6000: CRC mismatch: the record is damaged". */
+  readonly reason: string;
+  /** Intact snapshots after it that were skipped, up to the next keyframe. */
+  readonly snapshotsSkipped: number;
+}
+
 const HEADER_BYTES = 16;
 const RECORD_HEADER_BYTES = 16;
 const CRC_FROM = 8;
 const MESSAGE_BYTES_MAX = 2 ** 26;
+const RESYNC_BYTES_MAX = 2 ** 26; // bounds what a crafted file can make a search read
 const VERSION = 1;
 
 const recordingError = (byte: number, what: string) => new RecordingError(`byte ${byte}: ${what}`);
@@ -39,8 +50,10 @@ export class Recording {
   readonly welcome: Welcome;
   readonly firstTick: number; // first tick that can be rendered
   readonly lastTick: number;
-  /** Why reading stopped before the end of the file; empty: the recording is complete. */
+  /** Why reading stopped before the end of the file; empty: it was read to its end. */
   readonly truncationReason: string;
+  /** Damage that was skipped, in the order of the file. */
+  readonly damage: readonly DamagedRange[];
 
   constructor(bytes: Uint8Array) {
     const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.length);
@@ -49,15 +62,25 @@ export class Recording {
     const version = view.getUint32(4, true);
     if (version !== VERSION) throw recordingError(4, `unsupported version ${version}; supported: ${VERSION}`);
     const messages: RecordedMessage[] = [];
+    const damage: { byte: number; length: number; reason: string; snapshotsSkipped: number }[] = [];
     let truncationReason = '';
+    let needKeyframe = false; // since the last damage
     let dueUs = 0;
     let welcome: Welcome | undefined;
     // Messages are not empty: a length of 0 starts the index, which only repeats what was read before.
     for (let at = HEADER_BYTES; at < bytes.length && (bytes.length - at < 4 || view.getUint32(at, true) !== 0); ) {
       const read = readRecord(bytes, view, at);
       if (typeof read === 'string') {
-        truncationReason = `byte ${at}: ${read}`;
-        break;
+        const reason = `byte ${at}: ${read}`;
+        const next = welcome && nextIntact(bytes, view, at);
+        if (!next) {
+          truncationReason = reason;
+          break;
+        }
+        damage.push({ byte: at, length: next - at, reason, snapshotsSkipped: 0 });
+        needKeyframe = true;
+        at = next;
+        continue;
       }
       const { message, length } = read;
       if (!welcome) {
@@ -68,20 +91,27 @@ export class Recording {
       }
       const snapshot: Snapshot | undefined = message.case === 'snapshot' ? message.value : undefined;
       if (snapshot) dueUs = Number(welcome.epochUs) + Math.round((snapshot.frame * 1e6) / welcome.tickHz) + Number(snapshot.lateUs);
+      at += RECORD_HEADER_BYTES + length;
+      const keyframe = snapshot?.baselines === 0;
+      if (keyframe) needKeyframe = false;
+      if (snapshot && needKeyframe) {
+        damage.at(-1)!.snapshotsSkipped++;
+        continue;
+      }
       messages.push({
-        bytes: bytes.subarray(at + RECORD_HEADER_BYTES, at + RECORD_HEADER_BYTES + length),
+        bytes: bytes.subarray(at - length, at),
         frame: snapshot?.frame ?? 0,
         dueUs,
-        keyframe: snapshot?.baselines === 0,
+        keyframe,
         persistent: message.case === 'entityUpdate' || message.case === 'geometry',
       });
-      at += RECORD_HEADER_BYTES + length;
     }
     const first = messages.find(({ keyframe }) => keyframe);
     if (!welcome || !first) throw new RecordingError(`the recording has no keyframe${truncationReason && `: ${truncationReason}`}`);
     this.messages = messages;
     this.welcome = welcome;
     this.truncationReason = truncationReason;
+    this.damage = damage;
     this.firstTick = first.frame;
     this.lastTick = Math.max(...tail(messages));
   }
@@ -125,4 +155,20 @@ function readRecord(bytes: Uint8Array, view: DataView, at: number): { message: S
   } catch {
     return 'the record is not a ServerMessage';
   }
+}
+
+/**
+ * Where the next intact record begins; undefined: there is none. Tries each byte; random bytes rarely
+ * have a plausible length.
+ */
+function nextIntact(bytes: Uint8Array, view: DataView, from: number): number | undefined {
+  let bytesLeft = RESYNC_BYTES_MAX;
+  for (let at = from + 1; at + RECORD_HEADER_BYTES < bytes.length; at++) {
+    const length = view.getUint32(at, true);
+    if (length === 0 || length > MESSAGE_BYTES_MAX || length > bytes.length - at - RECORD_HEADER_BYTES) continue;
+    if (length > bytesLeft) return undefined;
+    bytesLeft -= length;
+    if (typeof readRecord(bytes, view, at) !== 'string') return at;
+  }
+  return undefined;
 }

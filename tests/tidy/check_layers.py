@@ -45,7 +45,7 @@ LAYERS = {
     "modules/vehicle": [PUBLIC, "modules/core"],
     "modules/destruction": [PUBLIC, "modules/core"],
     "proto/snapshot": [],
-    "proto/grpc_status": [],
+    "proto/grpc_status": [GENERATED],
     "proto/datagram": [],
     "proto/http2": [],
     "scenes/include": [PUBLIC],

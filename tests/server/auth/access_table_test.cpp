@@ -168,8 +168,9 @@ std::map<std::string, Expected> expected_permissions() {
         {Role::admin,
          world,
          {"jostle.v1.AdminService/SetPaused", "jostle.v1.AdminService/StepWorld",
-          "jostle.v1.AdminService/ExportWorld", "jostle.v1.AdminService/RemoveBodies",
-          "jostle.v1.AdminService/RewindWorld", "jostle.v1.AdminService/UndoClient",
+          "jostle.v1.AdminService/ExportWorld", "jostle.v1.AdminService/DownloadWorld",
+          "jostle.v1.AdminService/RemoveBodies", "jostle.v1.AdminService/RewindWorld",
+          "jostle.v1.AdminService/UndoClient",
           "jostle.v1.AdminService/Profile", "GET /debug/profile"}},
     };
     std::map<std::string, Expected> expected;

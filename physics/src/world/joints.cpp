@@ -72,8 +72,8 @@ Transform frame_in_world(const BodySets& sets, std::uint32_t body, const Transfo
 // An angle as its limits read it; `slot`: index of its impulses in the joint's memory.
 double limited_angle(double angle, const JointLimit& limit, const Joint& joint, int slot) {
     const double* const impulses = &joint.memory[as_index(slot) * AxisImpulses::count];
-    return unwrapped(angle, reference_angle(limit, impulses[AxisImpulses::lower],
-                                            impulses[AxisImpulses::upper]));
+    return nearest_angle(angle, reference_angle(limit, impulses[AxisImpulses::lower],
+                                                impulses[AxisImpulses::upper]));
 }
 
 }  // namespace
@@ -165,11 +165,11 @@ Result<JointState> World::joint(JointId id) const {
                      .torque = j.torque,
                      .separation = length(b.position - a.position)};
     if (const auto* hinge = std::get_if<HingeJoint>(&j.kind))
-        state.angle = unwrapped(hinge_angle(a.rotation, b.rotation),
-                                reference_angle(hinge->limit, j.lower, j.upper));
+        state.angle = nearest_angle(hinge_angle(a.rotation, b.rotation),
+                                    reference_angle(hinge->limit, j.lower, j.upper));
     if (const auto* cone = std::get_if<ConeTwistJoint>(&j.kind)) {
-        state.angle = unwrapped(twist_angle(a.rotation, b.rotation),
-                                reference_angle(cone->twist, j.lower, j.upper));
+        state.angle = nearest_angle(twist_angle(a.rotation, b.rotation),
+                                    reference_angle(cone->twist, j.lower, j.upper));
         state.swing = swing_angle(a.rotation, b.rotation);
     }
     state.offset = inverse_rotate(a.rotation, b.position - a.position);

@@ -37,7 +37,11 @@ void DirectGroup::list_what_acts() {
     }
     std::size_t pushed = 0;
     for (const DirectBody& body : bodies) pushed += body.pushed ? 1 : 0;
-    looped_ = joints.size() > pushed;
+    // Without loops each joint connects one more body to the ground or to the first body.
+    const bool grounded = std::any_of(joints.begin(), joints.end(), [&](const DirectJoint& joint) {
+        return !bodies[as_index(joint.a)].pushed || !bodies[as_index(joint.b)].pushed;
+    });
+    looped_ = joints.size() + (grounded ? 0 : 1) > pushed;
     double arms = 0;
     for (DirectJoint& joint : joints) {
         arms += length(joint.arm_a) + length(joint.arm_b) + joint.distance;
@@ -146,18 +150,19 @@ void DirectGroup::assemble(double linear, const Mat3 DirectBody::*response) {
     }
     if (locked_) drop_locked();
     if (sprung_) soften(step_);
-    if (resorting_ && looped_) regularize();
+    if (looped_)
+        regularize(resorting_ ? proximal : (energy_ ? mean_loop_compliance : loop_compliance));
     count_.skipped_rows = matrix_.factor();
     count_.factors++;
 }
 
 // Makes dependent rows independent.
-void DirectGroup::regularize() {
+void DirectGroup::regularize(double compliance) {
     double* const values = matrix_.values().data();
     for (std::size_t k = 0; k < joints.size(); k++) {
         const int node = static_cast<int>(k), rows = joints[k].rows();
         double* const block = values + matrix_.block_at(node, node);
-        for (int r = 0; r < rows; r++) block[r * (rows + 1)] *= 1 + proximal;
+        for (int r = 0; r < rows; r++) block[r * (rows + 1)] *= 1 + compliance;
     }
 }
 

@@ -85,8 +85,8 @@ double DirectGroup::stiffest() {
                 pull += free_axis.linear *
                         (free_axis.push() -
                          free_axis.stiffness * stretch_of(free_axis, free_axis.value));
-        stiffen(a, pull, lever_of(joint, a.axes * joint.arm_a, joint.apart));
-        stiffen(b, -pull, b.axes * joint.arm_b);
+        stiffen(a, -pull, lever_of(joint, a.axes * joint.arm_a, joint.apart));
+        stiffen(b, pull, b.axes * joint.arm_b);
     }
     double most = 0;
     for (const DirectBody& body : bodies) {
@@ -181,8 +181,8 @@ double DirectGroup::residual_of(double h, bool stiffness_too) {
         }
         if (!stiffness_too) continue;
         const Vec3 pull = pull_of(joint, joint.impulse);
-        stiffen(a, pull, lever_of(joint, a.axes1 * joint.arm_a, joint.apart));
-        stiffen(b, -pull, b.axes1 * joint.arm_b);
+        stiffen(a, -pull, lever_of(joint, a.axes1 * joint.arm_a, joint.apart));
+        stiffen(b, pull, b.axes1 * joint.arm_b);
     }
     double largest = 0;
     for (DirectBody& body : bodies) {
@@ -257,7 +257,7 @@ bool DirectGroup::solve_energy_positions(double h, double tolerance) {
         const double error = residual_of(h, true);
         if (round == 0) {
             first = error;
-            enough = actuated_ || limited_ ? tolerance : enough_of(first, tolerance);
+            enough = actuated_ || limited_ || looped_ ? tolerance : enough_of(first, tolerance);
         }
         if (error < enough) return true;
         if (round == max_energy_corrections || !(error < 1e6))

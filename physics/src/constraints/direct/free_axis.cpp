@@ -89,7 +89,7 @@ double raw_value(const FreeAxis& free_axis, const FreeAxisEnds& ends) {
 
 double value_of(const FreeAxis& free_axis, const FreeAxisEnds& ends) {
     const double value = raw_value(free_axis, ends);
-    return free_axis.is_linear() ? value : unwrapped(value, free_axis.reference);
+    return free_axis.is_linear() ? value : nearest_angle(value, free_axis.reference);
 }
 
 void write_free_axis(FreeAxis& free_axis, const FreeAxisEnds& ends) {

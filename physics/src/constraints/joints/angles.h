@@ -13,7 +13,7 @@ double twist_angle(Quat frame_a, Quat frame_b);  // rad, -pi..pi
 double swing_angle(Quat frame_a, Quat frame_b);  // rad, 0..pi
 
 // Returns the same angle within half a turn of `near`, rad.
-inline double unwrapped(double angle, double near) {
+inline double nearest_angle(double angle, double near) {
     const double off = angle - near;
     return off > pi ? angle - 2 * pi : (off < -pi ? angle + 2 * pi : angle);
 }

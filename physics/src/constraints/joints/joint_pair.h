@@ -355,7 +355,7 @@ JOSTLE_INLINE void limit_row(JointPair& pair, const JointStep& step, const Row& 
 }
 
 // An angle of -pi..pi as the same angle within half a turn of `near`.
-JOSTLE_INLINE Wide unwrapped(Wide angle, Wide near) {
+JOSTLE_INLINE Wide nearest_angle(Wide angle, Wide near) {
     const Wide half = splat(3.14159265f), turn = splat(6.28318531f), off = angle - near;
     return angle + select(off > half, -turn, select(-half > off, turn, splat(0)));
 }
@@ -374,11 +374,11 @@ struct WideLimits {
         const Wide zero = splat(0), middle = (lower_at + upper_at) * splat(0.5f);
         const Wide side =
             select(load(upper) > zero, upper_at, select(load(lower) > zero, lower_at, middle));
-        return unwrapped(angle, select(ambiguous, side, middle));
+        return nearest_angle(angle, select(ambiguous, side, middle));
     }
     // Displacement of a spring from its rest angle. Lanes without limits have distant ones.
     JOSTLE_INLINE Wide stretch(Wide angle, Wide rest) const {
-        return select(upper_at > splat(1e29f), unwrapped(angle, rest), angle) - rest;
+        return select(upper_at > splat(1e29f), nearest_angle(angle, rest), angle) - rest;
     }
     JOSTLE_INLINE void mark(Wide angle, float* lower, float* upper) const {
         if (lane_bits(ambiguous) == 0) return;

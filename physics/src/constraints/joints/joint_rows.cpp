@@ -22,7 +22,7 @@ Vec3 turn_between(Quat from, Quat to) {
 
 // Between limits a spring never pulls through them. Otherwise it pulls the shorter way.
 double spring_error(const JointLimit& limit, double angle, double rest) {
-    return limit.enabled ? angle - rest : unwrapped(angle, rest) - rest;
+    return limit.enabled ? angle - rest : nearest_angle(angle, rest) - rest;
 }
 
 constexpr double unused[AxisImpulses::count] = {};
@@ -141,8 +141,8 @@ struct JointRowWriter {
     void operator()(const HingeJoint& kind) {
         const Mat3 fa = to_matrix(a.frame), fb = to_matrix(b.frame);
         const JointRow axis = about(RowRole::rotation, 2, fa.z);
-        const double angle = unwrapped(hinge_angle(a.frame, b.frame),
-                                       reference_angle(kind.limit, joint.lower, joint.upper));
+        const double angle = nearest_angle(hinge_angle(a.frame, b.frame),
+                                           reference_angle(kind.limit, joint.lower, joint.upper));
         spring(axis, kind.spring, spring_error(kind.limit, angle, kind.spring_angle),
                kind.spring_max_torque);
         motor(axis, kind.motor.enabled, kind.motor.speed, kind.motor.max_torque);
@@ -164,8 +164,8 @@ struct JointRowWriter {
         drive(kind.drive);
         rub(kind.friction_torque);
         limits(about(RowRole::limit, 0, (xa + xb) * (1 / maximum(1 + cosine, 0.05))), kind.twist,
-               unwrapped(twist_angle(a.frame, b.frame),
-                         reference_angle(kind.twist, joint.lower, joint.upper)));
+               nearest_angle(twist_angle(a.frame, b.frame),
+                             reference_angle(kind.twist, joint.lower, joint.upper)));
         const Vec3 swing = sine > 1e-12 ? away * (1 / sine) : rotate(a.frame, Vec3{0, 1, 0});
         JointRow& cone = add(about(RowRole::limit, 1, -swing));
         cone.one_sided = true;
@@ -265,7 +265,8 @@ struct JointRowWriter {
                 const double* const impulses =
                     slot < 0 ? unused
                              : &joint.memory[static_cast<std::size_t>(slot) * AxisImpulses::count];
-                value = unwrapped(value, reference_angle(axis.limit, impulses[AxisImpulses::lower],
+                value =
+                    nearest_angle(value, reference_angle(axis.limit, impulses[AxisImpulses::lower],
                                                          impulses[AxisImpulses::upper]));
                 error = spring_error(axis.limit, value, axis.spring_target);
             }

@@ -251,6 +251,10 @@ void break_joints(StepContext& step) {
         const JointGroup& group = *groups.of_island[island];
         world.profile.joints += static_cast<int>(group.joints.size());
         world.profile.joints_direct += static_cast<int>(group.joints.size());
+        const DirectGroup::Count& count = group.solver.count();
+        world.profile.joint_energy_steps += count.energy_steps;
+        world.profile.joint_halvings += count.halvings;
+        world.profile.joint_last_resorts += count.last_resorts;
         world.profile.joint_substeps +=
             static_cast<std::int64_t>(group.joints.size()) * group.substeps;
         for (const std::uint32_t index : group.joints)

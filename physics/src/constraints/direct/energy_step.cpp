@@ -20,7 +20,7 @@ constexpr double slow_contraction = 0.35;
 // itself. A small part of it may remain, as in W. E. Milne's device ("Numerical solution of
 // differential equations", 1953), but at most this many metres. Limits and actuation are decided by
 // their impulses, which must be converged.
-constexpr double small_part = 0.02, max_left = 1e-5;
+constexpr double small_part = 0.02, max_left = 5e-6;
 
 double enough_of(double first, double tolerance) {
     return maximum(tolerance, minimum(max_left, small_part * first));

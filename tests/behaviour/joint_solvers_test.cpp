@@ -186,9 +186,8 @@ TEST(JointSolvers, nets_do_not_explode) {
     }
 }
 
-// What nobody could solve in time is solved as before, and the profile says so: a hub with a
-// thousand spokes, which alone would take 4e9 multiplications, and a net of 50 by 50.
-TEST(JointSolvers, direct_has_a_work_limit) {
+// A hub with a thousand spokes takes work in proportion to the spokes.
+TEST(JointSolvers, direct_solves_a_hub_in_linear_time) {
     World hub = make_world({.gravity = {}, .joint_solver = JointSolver::direct});
     const BodyId middle = add(hub, {.geometry = Sphere{1}});
     for (int k = 0; k < 1000; k++) {
@@ -198,8 +197,12 @@ TEST(JointSolvers, direct_has_a_work_limit) {
     }
     run(hub, 0.1);
     EXPECT_EQ(hub.profile().joints, 1000);
-    EXPECT_EQ(hub.profile().joints_direct + hub.profile().joints_batched, 0);
-    EXPECT_EQ(hub.profile().joints_direct_fallback, 1000);
+    EXPECT_EQ(hub.profile().joints_direct, 1000);
+    EXPECT_EQ(hub.profile().joints_direct_fallback, 0);
+}
+
+// What nobody could solve in time is solved as before, and the profile says so: a net of 50 by 50.
+TEST(JointSolvers, direct_has_a_work_limit) {
     World net = make_world({.joint_solver = JointSolver::direct});
     hang_net(net, 50, 5, 1000);
     must(net.step(1.0 / 60));

@@ -76,6 +76,8 @@ private:
     void list_what_acts();
     bool find_pattern(std::int64_t max_work);
     void assemble(double linear, const Mat3 DirectBody::*response);
+    void assemble_hubs(double linear, const Mat3 DirectBody::*response);
+    void solve();  // right_side_ in, unknowns out
     void regularize(double compliance);
     double min_response(const DirectJoint& joint) const;
     void drop_locked();
@@ -165,6 +167,7 @@ private:
 
     BlockLdl matrix_;
     std::vector<JointSystemBlock> system_blocks_;
+    JointHubs hubs_;
     std::vector<int> pattern_;  // bodies and rows of each joint for which the pattern is valid
     std::vector<double> right_side_;    // indexed by the matrix's rows
     std::vector<Vec3> previous_guess_;  // momenta

@@ -233,8 +233,7 @@ void DirectGroup::correct(double h, bool again) {
             to[r] = -dot(joint.angular_a[r], a.spin_correction) -
                     dot(joint.angular_b[r], b.spin_correction) - joint.error[r] / h;
     }
-    matrix_.solve(right_side_);
-    count_.solves++;
+    solve();
     for (std::size_t k = 0; k < joints.size(); k++) {
         DirectJoint& joint = joints[k];
         DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];

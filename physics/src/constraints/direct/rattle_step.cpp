@@ -49,8 +49,7 @@ bool DirectGroup::solve_positions(double h, double tolerance) {
             double* const to = right_side_.data() + matrix_.row_of(static_cast<int>(k));
             for (int r = 0; r < joints[k].rows(); r++) to[r] = -joints[k].error[r] / h;
         }
-        matrix_.solve(right_side_);
-        count_.solves++;
+        solve();
         for (std::size_t k = 0; k < joints.size(); k++) {
             DirectJoint& joint = joints[k];
             double* const more = right_side_.data() + matrix_.row_of(static_cast<int>(k));

@@ -120,8 +120,15 @@ void DirectGroup::step(double h, int depth) {
     save(depth);
     ASSERT(depth <= max_halvings);
     const EnergyBooks books = open_books();
-    if (stiffest() * h < followed_swing) {
-        if (step_rattle(h, tolerance(h)) && keeps_energy(books, h, rattle_bounds)) return;
+    // Two RATTLE steps cost as much as an energy-momentum step and are more accurate.
+    const double swing = stiffest() * h;
+    const int most = joints.size() <= max_quartered_joints ? 4 : 2;
+    int parts = 1;
+    while (parts < most && swing >= followed_swing * parts) parts *= 2;
+    if (swing < followed_swing * parts) {
+        int done = 0;
+        while (done < parts && step_rattle(h / parts, tolerance(h / parts))) done++;
+        if (done == parts && keeps_energy(books, h, rattle_bounds)) return;
         restore(depth);
     }
     if (step_energy(h, tolerance(h)) && keeps_energy(books, h, energy_step_bounds)) return;

@@ -97,7 +97,7 @@ bool DirectGroup::compose(double h) {
 // A composition of the whole step, or of its halves or quarters. Returns false, and leaves the
 // state unchanged, if the joint forces oscillate too fast even for those.
 bool DirectGroup::compose_parts(double h) {
-    const int most = joints.size() <= max_quartered_joints ? 4 : 1;
+    const int most = joints.size() <= max_quartered_joints && !is_trial ? 4 : 1;
     for (int parts = 1; parts <= most; parts *= 2) {
         if (stiffest() * h * longest_stage >= followed_swing * parts) continue;
         int done = 0;
@@ -109,7 +109,7 @@ bool DirectGroup::compose_parts(double h) {
 }
 
 // After a halving, the rest of the advance starts with halved steps. After a failure at the
-// smallest step, it uses the velocity fallback.
+// smallest step, it uses the velocity fallback. A net uses it earlier: shorter steps do not help.
 void DirectGroup::step(double h, int depth) {
     if (resorting_) return resort_to_velocities(h);
     if (depth <= halvings_) {
@@ -120,9 +120,10 @@ void DirectGroup::step(double h, int depth) {
     save(depth);
     ASSERT(depth <= max_halvings);
     const EnergyBooks books = open_books();
-    // Two RATTLE steps cost as much as an energy-momentum step and are more accurate.
+    // Two RATTLE steps cost as much as an energy-momentum step and are more accurate. Small groups
+    // take up to eight.
     const double swing = stiffest() * h;
-    const int most = joints.size() <= max_quartered_joints ? 4 : 2;
+    const int most = is_trial ? 1 : (joints.size() <= max_quartered_joints ? 8 : 2);
     int parts = 1;
     while (parts < most && swing >= followed_swing * parts) parts *= 2;
     if (swing < followed_swing * parts) {
@@ -133,7 +134,7 @@ void DirectGroup::step(double h, int depth) {
     }
     if (step_energy(h, tolerance(h)) && keeps_energy(books, h, energy_step_bounds)) return;
     restore(depth);
-    if (depth == max_halvings) {
+    if (depth == max_halvings || (net_ && depth > 1)) {
         resorting_ = true;
         return resort_to_velocities(h);
     }
@@ -211,7 +212,7 @@ void DirectGroup::resort_to_velocities(double h) {
     kick(h, false);
     kick(h, true);
     project_velocities(h, 0.2 / h);
-    const int rounds = looped_ && smooth_ ? proximal_rounds : 1;
+    const int rounds = (looped_ || net_) && smooth_ ? proximal_rounds : 1;
     for (int round = 1; round < rounds; round++) project_velocities(h, 0.2 / h, false);
     time_ += h;
     for (DirectBody& body : bodies) {

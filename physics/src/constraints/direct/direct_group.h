@@ -39,6 +39,9 @@ public:
     std::vector<DirectBody> bodies;
     std::vector<DirectJoint> joints;
     ExternalForces* outside = nullptr;  // if null, the forces of the bodies are constant
+    // Takes no shorter steps of its own accord, which could be those of twice as many sub-steps:
+    // for estimating their error.
+    bool is_trial = false;
 
     // Counters since prepare(), for the profile and for tests.
     struct Count {
@@ -187,7 +190,8 @@ private:
     double time_ = 0;         // s since the start of advance()
     int halvings_ = 0;        // initial number of halvings of a step
     bool resorting_ = false;  // velocity fallback for the rest of the advance
-    bool looped_ = false;     // there are more joints than pushed bodies
+    bool looped_ = false;     // some joints close loops
+    bool net_ = false;        // so many do that it is nearly singular as soon as it bends
     double reach_ = 0;        // m: characteristic length of the group
     Count count_;
 };

@@ -11,6 +11,8 @@
 namespace jostle::physics {
 namespace {
 
+// A redundant group with more joints is a net, not a mechanism of a few loops.
+constexpr std::size_t max_loop_joints = 8;
 constexpr double min_damper = 1e-30;  // N s/m or N m s
 // m: for bodies that do not rotate and are held at their centres.
 constexpr double min_reach = 0.01;
@@ -41,7 +43,9 @@ void DirectGroup::list_what_acts() {
     const bool grounded = std::any_of(joints.begin(), joints.end(), [&](const DirectJoint& joint) {
         return !bodies[as_index(joint.a)].pushed || !bodies[as_index(joint.b)].pushed;
     });
-    looped_ = joints.size() + (grounded ? 0 : 1) > pushed;
+    net_ = joints.size() > max_loop_joints &&
+           is_redundant(static_cast<int>(joints.size()), static_cast<int>(pushed));
+    looped_ = !net_ && joints.size() + (grounded ? 0 : 1) > pushed;
     double arms = 0;
     for (DirectJoint& joint : joints) {
         arms += length(joint.arm_a) + length(joint.arm_b) + joint.distance;
@@ -155,8 +159,10 @@ void DirectGroup::assemble(double linear, const Mat3 DirectBody::*response) {
     assemble_hubs(linear, response);
     if (locked_) drop_locked();
     if (sprung_) soften(step_);
-    if (looped_)
-        regularize(resorting_ ? proximal : (energy_ ? mean_loop_compliance : loop_compliance));
+    if (resorting_ && (looped_ || net_))
+        regularize(proximal);
+    else if (looped_)
+        regularize(energy_ ? mean_loop_compliance : loop_compliance);
     count_.skipped_rows = matrix_.factor();
     count_.factors++;
 }

@@ -51,11 +51,12 @@ double DirectGroup::work_of_axes() const {
     return work;
 }
 
-// Energy that may change as joint errors are closed or left over, J: weights are lifted, bodies are
-// displaced, and the energy of springs is that of an oscillation.
+// Energy that may change as joint errors are closed or left over, J: weights and tensions do
+// work, bodies are displaced, and the energy of springs is that of an oscillation.
 double DirectGroup::work_of_errors(double h) const {
     double error = 2 * tolerance(h), weight = 0, mass = 0, springs = 0;
     for (const DirectJoint& joint : joints) {
+        weight += 2 * length(pull_of(joint, joint.force));
         for (int k = 0; k < joint.first_free_axis(); k++)
             error = maximum(error, absolute(joint.start[k]) * (k < joint.points ? 1 : reach_));
         for (const FreeAxis& axis : joint.free_axes) {

@@ -309,6 +309,7 @@ bool DirectGroup::step_energy(double h, double tolerance) {
             for (int row = joint.first_free_axis(); row < joint.rows(); row++) set_row(joint, row);
     if (!smooth_) damp(0.5 * h);
     project_velocities(h, 0, false);
+    if (looped_) project_velocities(h, 0, false);
     time_ += h;
     return true;
 }

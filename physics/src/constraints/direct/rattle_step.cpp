@@ -96,6 +96,7 @@ bool DirectGroup::step_rattle(double h, double tolerance) {
     if (sprung_ || actuated_) factor_here();  // along the current free axes
     kick(h, true);
     project_velocities(h, 0);
+    if (looped_) project_velocities(h, 0, false);  // what the compliance of the loop left over
     time_ += h;
     return true;
 }

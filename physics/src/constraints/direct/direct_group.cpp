@@ -32,7 +32,7 @@ constexpr double longest_stage = 4 * suzuki - 1;
 // Allowed joint error, m: a small part of the error that a step of length h makes anyway. Scaled
 // with the group's size. In a loop it makes dependent rows look independent.
 double DirectGroup::tolerance(double h) const {
-    return minimum(looped_ ? 1e-8 : 1e-5, 0.1 * h * h) * minimum(1, 2 * reach_);
+    return minimum(looped_ ? 2e-9 : 1e-5, 0.1 * h * h) * minimum(1, 2 * reach_);
 }
 
 void DirectGroup::save(int depth) {

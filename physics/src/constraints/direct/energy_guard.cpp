@@ -12,6 +12,8 @@ namespace {
 
 // Of the energy of displacements, and of springs.
 constexpr double correction_share = 0.1, spring_share = 0.1;
+// Sum of the tensions relative to the weights. Larger ones are those of a step that fails.
+constexpr double largest_tension = 100;
 
 bool is_at_rest(const DirectBody& body) {
     return body.v == Vec3{} && body.w == Vec3{};
@@ -54,9 +56,9 @@ double DirectGroup::work_of_axes() const {
 // Energy that may change as joint errors are closed or left over, J: weights and tensions do
 // work, bodies are displaced, and the energy of springs is that of an oscillation.
 double DirectGroup::work_of_errors(double h) const {
-    double error = 2 * tolerance(h), weight = 0, mass = 0, springs = 0;
+    double error = 2 * tolerance(h), weight = 0, tension = 0, mass = 0, springs = 0;
     for (const DirectJoint& joint : joints) {
-        weight += 2 * length(pull_of(joint, joint.force));
+        tension += 2 * length(pull_of(joint, joint.force));
         for (int k = 0; k < joint.first_free_axis(); k++)
             error = maximum(error, absolute(joint.start[k]) * (k < joint.points ? 1 : reach_));
         for (const FreeAxis& axis : joint.free_axes) {
@@ -71,6 +73,7 @@ double DirectGroup::work_of_errors(double h) const {
     }
     for (const DirectBody& body : bodies)
         if (body.pushed) weight += length(body.force), mass += body.mass;
+    weight += minimum(tension, largest_tension * weight);
     const double speed = minimum(error / h, tuning::joint_push_speed);
     return 2 * weight * error + correction_share * mass * speed * speed + spring_share * springs;
 }

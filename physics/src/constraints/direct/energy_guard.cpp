@@ -73,9 +73,10 @@ double DirectGroup::work_of_errors(double h) const {
     }
     for (const DirectBody& body : bodies)
         if (body.pushed) weight += length(body.force), mass += body.mass;
-    weight += minimum(tension, largest_tension * weight);
+    const double left_over = minimum(error, 2 * tolerance(h));
     const double speed = minimum(error / h, tuning::joint_push_speed);
-    return 2 * weight * error + correction_share * mass * speed * speed + spring_share * springs;
+    return 2 * weight * error + 2 * minimum(tension, largest_tension * weight) * left_over +
+           correction_share * mass * speed * speed + spring_share * springs;
 }
 
 bool DirectGroup::keeps_energy(const EnergyBooks& before, double h, EnergyBounds bounds) const {
@@ -96,8 +97,7 @@ bool DirectGroup::keeps_energy(const EnergyBooks& before, double h, EnergyBounds
 void DirectGroup::remove_gain(const EnergyBooks& before, double h) {
     const EnergyBooks after = open_books();
     if (!before.closed || actuated_ || sprung_) return;
-    const double gain =
-        after.total - before.total - (before.twist + after.twist) * h - work_of_errors(h);
+    const double gain = after.total - before.total - (before.twist + after.twist) * h;
     if (gain <= 0 || after.kinetic <= 0) return;
     const double slower = square_root(maximum(0, 1 - gain / after.kinetic));
     for (DirectBody& body : bodies) body.p *= slower, body.l *= slower;

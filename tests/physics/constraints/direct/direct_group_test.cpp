@@ -207,6 +207,32 @@ TEST(DirectGroup, pendulum_improves_with_finer_steps) {
     }
 }
 
+// A straight bridge between two walls cannot bend, so its weight asks for any tension: it stays
+// where it is and gains nothing.
+TEST(DirectGroup, straight_bridge_gains_no_energy) {
+    for (const double hz : {30.0, 60.0})
+        for (const int substeps : {1, 8}) {
+            DirectGroup group;
+            group.bodies.push_back(ground());
+            constexpr int planks = 20;
+            for (int k = 0; k <= planks; k++) {
+                const Vec3 here{0.5 * k, 0, 0};
+                if (k < planks) add_rod(group, here, here + Vec3{0.5, 0, 0}, 0.05, 100, {0, 0, -g});
+                hinge_at(group, k, k < planks ? k + 1 : 0, here, {0, 1, 0});
+            }
+            group.prepare();
+            const double before = energy(group);
+            double most = before, gap = 0;
+            for (int k = 0; k < 2 * hz; k++) {
+                group.advance(1 / hz, substeps);
+                most = maximum(most, energy(group));
+                gap = maximum(gap, widest_gap(group));
+            }
+            EXPECT_LT(most - before, 1e-6) << hz << " Hz, " << substeps;
+            EXPECT_LT(gap, 2e-3) << hz << " Hz, " << substeps;
+        }
+}
+
 // Forty wheels on hinges of one tumbling chassis: work in proportion to the wheels.
 TEST(DirectGroup, solves_a_hub_in_linear_time) {
     DirectGroup group;

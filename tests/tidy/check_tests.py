@@ -68,6 +68,8 @@ COVERED_BY = {
          "balls, hinges, motors and limits against closed forms; every kind that it knows"),
     "constraints/direct/direct_system.cpp":
         (["physics/constraints/direct/direct_group_test.cpp"], "loops, motors, limits, ends that are apart"),
+    "constraints/direct/energy_guard.cpp":
+        (["physics/constraints/direct/direct_group_test.cpp"], "linkages, loaded chains and straight bridges keep their energy"),
     "constraints/direct/energy_step.cpp":
         (["physics/constraints/direct/direct_group_test.cpp"], "a whip of a thousand times the mass is too stiff for any other step"),
     "constraints/direct/rattle_step.cpp":

@@ -66,6 +66,9 @@ inline constexpr double bearing_overlap = 0.001;  // m
 // the shape is flat to this fraction of the shape's size.
 inline constexpr double same_piece = 0.9962;  // cosine of 5 degrees
 inline constexpr double even_ground = 1e-3;
+// Corners of triangles within this distance count as one corner: coordinates that are rounded to
+// 0.01 mm along each axis differ by up to 0.035 mm.
+inline constexpr double weld_distance = 4e-5;  // m
 // An edge of a surface accepts normals that lean this far beyond its range.
 inline constexpr double edge_slack = 0.01;  // rad
 // Round edges that cross at a small angle touch in an elongated ellipse (Hertz). They get two

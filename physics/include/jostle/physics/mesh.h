@@ -37,8 +37,9 @@ struct TriangleMesh {
 };
 
 /// Builds a mesh of 1 to max_mesh_triangles triangles. Coordinates are within max_shape_size.
-/// Vertices at the same position count as one for adjacency. Degenerate triangles (narrower than
-/// 1e-9 of the mesh's size) are dropped.
+/// Vertices within 0.04 mm or 2e-6 of the mesh's size, but at most a fiftieth of the shortest edge
+/// at them, count as one for adjacency. Degenerate triangles (narrower than 1e-9 of the mesh's
+/// size) and repetitions of a triangle, in either winding, are dropped.
 ///
 /// Errors: invalid_argument, naming the vertex or the triangle.
 Result<std::shared_ptr<const TriangleMesh>> build_mesh(

@@ -372,7 +372,8 @@ private:
     }
     bool contains(const Vec3 corner[3], Vec3 p) const {
         const Vec3 n = normalized(cross(corner[1] - corner[0], corner[2] - corner[0]));
-        const double near = 1e-5 * (size_ + length(corner[1] - corner[0]));
+        const double near = 1e-5 * (size_ + length(corner[1] - corner[0])) +
+                            minimum(tuning::weld_distance, tuning::even_ground * size_);
         if (absolute(dot(p - corner[0], n)) > near) return false;
         for (int k = 0; k < 3; k++) {
             const Vec3 outward = normalized(cross(corner[(k + 1) % 3] - corner[k], n));

@@ -22,18 +22,15 @@ bool is_surface(const TransformedShape& shape) {
     return kind == ShapeKind::mesh || kind == ShapeKind::height_field;
 }
 
+bool is_compound(const TransformedShape& shape) {
+    return kind_of(*shape.geometry) == ShapeKind::compound;
+}
+
 TransformedShape child_of(const TransformedShape& compound, const CompoundChild& child) {
     return {&child.geometry, compound.position + compound.axes * child.pose.position,
             compound.axes * to_matrix(child.pose.rotation)};
 }
 
-// The bounding box of a shape in another frame.
-Aabb bounds_in(const TransformedShape& frame, const TransformedShape& shape) {
-    const TransformedShape local{shape.geometry,
-                                 transposed_times(frame.axes, shape.position - frame.position),
-                                 transpose(frame.axes) * shape.axes};
-    return bounds_of(local);
-}
 
 // Children of the compound that may be within the margin of the shape, in ascending order.
 std::vector<std::uint32_t> children_near(const TransformedShape& compound,
@@ -59,7 +56,7 @@ std::vector<std::uint32_t> children_near(const TransformedShape& compound,
 // Neither shape is a compound.
 void collide_children(const TransformedShape& a, const TransformedShape& b, double margin,
                       std::uint64_t key, const SurfaceMotion* motion,
-                      std::vector<ChildManifold>& out) {
+                      const SeamNeighbours& neighbours, std::vector<ChildManifold>& out) {
     if (is_surface(a) || is_surface(b)) {
         const bool a_is_surface = is_surface(a);
         ASSERT(!(margin < 0));
@@ -67,13 +64,15 @@ void collide_children(const TransformedShape& a, const TransformedShape& b, doub
             (!a_is_surface && !is_convex(kind_of(*a.geometry))))
             return;
         std::vector<Manifold> pieces;
-        collide_surface(a_is_surface ? a : b, a_is_surface ? b : a, margin, motion, pieces);
+        collide_surface(a_is_surface ? a : b, a_is_surface ? b : a, margin, motion,
+                        a_is_surface ? neighbours.of_a : neighbours.of_b, pieces);
         for (const Manifold& piece : pieces)
             out.push_back({key, a_is_surface ? piece : flipped(piece)});
         return;
     }
     PairCache cache;
-    const Manifold m = collide(a, b, margin, cache);
+    Manifold m = collide(a, b, margin, cache);
+    apply_seams(m, a, b, neighbours, margin);
     if (m.count > 0) out.push_back({key, m});
 }
 
@@ -84,52 +83,57 @@ bool parts_overlap(const TransformedShape& a, const TransformedShape& b) {
     return collide(a, b, 0, cache).count > 0;
 }
 
-// Calls visit(part of a, part of b, key) for every two parts that may be near, until visit()
-// returns true.
-template <class Visit>
-void for_each_two(const TransformedShape& a, const TransformedShape& b, double margin,
-                  Visit&& visit) {
-    const auto* compound_a = std::get_if<Compound>(a.geometry);
-    const auto* compound_b = std::get_if<Compound>(b.geometry);
-    ASSERT(a.geometry != nullptr && b.geometry != nullptr);
-    const auto against_b = [&](const TransformedShape& part, std::uint64_t key) {
-        if (compound_b == nullptr) return visit(part, b, key);
-        for (const std::uint32_t k : children_near(b, part, margin))
-            if (visit(part, child_of(b, compound_b->data->children[k]),
-                      key | (std::uint64_t{k} + 1)))
-                return true;
-        return false;
-    };
-    if (compound_a == nullptr) {
-        against_b(a, 0);
-        return;
-    }
-    for (const std::uint32_t k : children_near(a, b, margin))
-        if (against_b(child_of(a, compound_a->data->children[k]), (std::uint64_t{k} + 1) << 32))
-            return;
+// A part of a shape with its index plus one; 0 for a shape that is not a compound.
+struct Part {
+    TransformedShape shape;
+    std::uint64_t number = 0;
+};
+
+// The parts of one shape that may be within the margin of another one.
+std::vector<Part> parts_near(const TransformedShape& whole, const TransformedShape& shape,
+                             double margin) {
+    const auto* compound = std::get_if<Compound>(whole.geometry);
+    if (compound == nullptr) return {{whole}};
+    std::vector<Part> parts;
+    for (const std::uint32_t k : children_near(whole, shape, margin))
+        parts.push_back({child_of(whole, compound->data->children[k]), std::uint64_t{k} + 1});
+    return parts;
+}
+
+void append(std::vector<TransformedShape>& shapes, const std::vector<Part>& parts) {
+    for (const Part& part : parts) shapes.push_back(part.shape);
 }
 
 }  // namespace
 
 void collide_composite(const TransformedShape& a, const TransformedShape& b, double margin,
                        std::vector<ChildManifold>& out, const std::atomic<bool>* stopped,
-                       const SurfaceMotion* motion) {
-    for_each_two(a, b, margin,
-                 [&](const TransformedShape& pa, const TransformedShape& pb, std::uint64_t key) {
-                     collide_children(pa, pb, margin, key, motion, out);
-                     return out.size() >= child_manifolds_max ||
-                            (stopped != nullptr && stopped->load(std::memory_order_relaxed));
-                 });
+                       const SurfaceMotion* motion, const SeamNeighbours* neighbours) {
+    static const SeamNeighbours none;
+    const SeamNeighbours& others = neighbours != nullptr ? *neighbours : none;
+    if (!is_compound(a) && !is_compound(b))
+        return collide_children(a, b, margin, 0, motion, others, out);
+    const std::vector<Part> parts_a = parts_near(a, b, margin);
+    for (const Part& pa : parts_a) {
+        const std::vector<Part> parts_b = parts_near(b, pa.shape, margin);
+        SeamNeighbours near = others;
+        if (parts_b.size() > 1) append(near.of_b, parts_b);
+        if (parts_a.size() > 1) append(near.of_a, parts_a);
+        for (const Part& pb : parts_b) {
+            collide_children(pa.shape, pb.shape, margin, pa.number << 32 | pb.number, motion, near,
+                             out);
+            if (out.size() >= child_manifolds_max ||
+                (stopped != nullptr && stopped->load(std::memory_order_relaxed)))
+                return;
+        }
+    }
 }
 
 bool shapes_overlap(const TransformedShape& a, const TransformedShape& b) {
-    bool any = false;
-    for_each_two(a, b, 0,
-                 [&](const TransformedShape& pa, const TransformedShape& pb, std::uint64_t) {
-                     any = parts_overlap(pa, pb);
-                     return any;
-                 });
-    return any;
+    for (const Part& pa : parts_near(a, b, 0))
+        for (const Part& pb : parts_near(b, pa.shape, 0))
+            if (parts_overlap(pa.shape, pb.shape)) return true;
+    return false;
 }
 
 }  // namespace jostle::physics

@@ -7,6 +7,7 @@
 #include "jostle/base/check.h"
 #include "physics/src/collision/narrowphase/collide_convex.h"
 #include "physics/src/collision/narrowphase/gjk.h"
+#include "physics/src/collision/narrowphase/seams.h"
 #include "physics/src/collision/narrowphase/triangle.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/geometry/hull_lanes.h"
@@ -52,21 +53,39 @@ bool edge_allows(const SurfaceEdge& edge, Vec3 face, double side, Vec3 outward, 
            tuning::edge_slack;  // sine of the angle beyond the other normal
 }
 
+// A normal closer to a face normal than this acts like it.
+constexpr double facing = 0.99995;
+
+// Calls visit(edge, outward) for the edges of a triangle at the point `at`. `outward` lies in the
+// triangle's plane. Returns false as soon as visit() does.
+template <class Visit>
+bool for_each_edge_at(const SurfaceTriangle& t, Vec3 front, Vec3 at, Visit&& visit) {
+    for (int k = 0; k < 3; k++) {
+        const Vec3 from = t.corner[k], along = t.corner[(k + 1) % 3] - from;
+        const Vec3 outward = normalized(cross(along, front));
+        const double height = length(cross(along, t.corner[(k + 2) % 3] - from)) / length(along);
+        if (dot(at - from, outward) >= -1e-4 * height && !visit(k, outward)) return false;
+    }
+    return true;
+}
+
+// Returns whether the point `at` of a triangle is on an edge without a neighbour.
+bool is_on_border(const Geometry& surface, const SurfaceTriangle& t, Vec3 at) {
+    return !for_each_edge_at(t, normal_of(t), at,
+                             [&](int k, Vec3) { return !edge_of(surface, t, k).border; });
+}
+
 // Returns whether the contact normal n is allowed at the point `at` of the triangle.
 bool may_act(const Geometry& surface, const SurfaceTriangle& t, Vec3 face, double side, Vec3 at,
              Vec3 n) {
-    if (dot(n, face) > 0.99995) return true;
+    if (dot(n, face) > facing) return true;
     ASSERT(is_unit(face, 1e-5) && is_unit(n, 1e-5));
     bool on_edge = false;
-    for (int k = 0; k < 3; k++) {
-        const Vec3 from = t.corner[k], along = t.corner[(k + 1) % 3] - from;
-        const Vec3 outward = normalized(cross(along, face * side));
-        const double height = length(cross(along, t.corner[(k + 2) % 3] - from)) / length(along);
-        if (dot(at - from, outward) < -1e-4 * height) continue;
+    const bool allowed = for_each_edge_at(t, face * side, at, [&](int k, Vec3 outward) {
         on_edge = true;
-        if (!edge_allows(edge_of(surface, t, k), face, side, outward, n)) return false;
-    }
-    return on_edge;
+        return edge_allows(edge_of(surface, t, k), face, side, outward, n);
+    });
+    return on_edge && allowed;
 }
 
 // The motion of a shape in the surface's frame, with the shape's position as the origin. Bounds the
@@ -117,7 +136,7 @@ class SurfacePair {
 public:
     SurfacePair(const TransformedShape& surface, const TransformedShape& convex, double margin,
                 const SurfaceMotion* motion = nullptr)
-        : surface_(surface), margin_(margin) {
+        : surface_(surface), margin_(margin), seams_(convex, surface.axes, margin) {
         // In the surface's frame, with the shape's position as the origin.
         origin_ = transposed_times(surface.axes, convex.position - surface.position);
         const Mat3 axes = transpose(surface.axes) * convex.axes;
@@ -146,6 +165,13 @@ public:
             any = gjk(triangle_convex(corner, {}, {}), shape_, {}).distance <= shape_.radius;
         });
         return any;
+    }
+
+    void add_neighbours(const std::vector<TransformedShape>& neighbours) {
+        for (const TransformedShape& neighbour : neighbours)
+            if (neighbour.geometry != surface_.geometry ||
+                neighbour.position != surface_.position)
+                seams_.add(neighbour);
     }
 
     void collide(std::vector<Manifold>& out) {
@@ -258,7 +284,15 @@ private:
         const double side = is_behind(t, corner, w) ? -1 : 1;
         const Vec3 face = front * side;
         Patch patch{.normal = w.normal, .triangle = t.index, .points = {}};
-        if (may_act(*surface_.geometry, t, face, side, w.on_a + origin_, w.normal)) {
+        const bool allowed =
+            may_act(*surface_.geometry, t, face, side, w.on_a + origin_, w.normal);
+        const std::optional<Vec3> cover =
+            covering_normal(t, triangle, w.on_a, w.normal, face, allowed);
+        if (cover) {
+            if (dot(*cover, face) < tuning::same_piece) return;
+            patch.normal = face;
+            patch.points = points_over_face(triangle, shape_, face, margin_);
+        } else if (allowed) {
             patch.points = contact_points(triangle, shape_, w, margin_);
         } else {
             patch.normal = face;
@@ -275,6 +309,24 @@ private:
                                  dot(w.normal, face) <= 0});
         }
         if (patch.points.count > 0) add_patch(patch, corner);
+    }
+
+    // The normal of a neighbour that covers the contact with a triangle at a point of its edge: of
+    // another shape, or of another triangle if the edge has no neighbour that could tell.
+    std::optional<Vec3> covering_normal(const SurfaceTriangle& t, const Convex& triangle, Vec3 at,
+                                        Vec3 n, Vec3 face, bool allowed) const {
+        if (dot(n, face) > facing) return std::nullopt;
+        if (!seams_.empty())
+            if (const auto cover = seams_.covering_normal(triangle, n, nullptr)) return cover;
+        if (!allowed || !is_on_border(*surface_.geometry, t, at + origin_)) return std::nullopt;
+        SeamContact contact(shape_, triangle, n, margin_);
+        for_each_triangle(*surface_.geometry, box_, [&](const SurfaceTriangle& other) {
+            if (other.index == t.index) return;
+            const Vec3 corner[3] = {other.corner[0] - origin_, other.corner[1] - origin_,
+                                    other.corner[2] - origin_};
+            contact.test(triangle_convex(corner, {}, {}));
+        });
+        return contact.covering_normal();
     }
 
     // Returns whether the motion of the shape keeps its core, which is `distance` away along n, out
@@ -417,6 +469,7 @@ private:
     Aabb box_;
     double size_ = 0;
     Vec3 middle_;
+    Seams seams_;
     Vec3 exit_direction_;  // zero until computed
     std::optional<ShapeMotion> motion_;
     std::vector<Patch> patches_;
@@ -426,8 +479,11 @@ private:
 }  // namespace
 
 void collide_surface(const TransformedShape& surface, const TransformedShape& convex, double margin,
-                     const SurfaceMotion* motion, std::vector<Manifold>& out) {
-    SurfacePair(surface, convex, margin, motion).collide(out);
+                     const SurfaceMotion* motion, const std::vector<TransformedShape>& neighbours,
+                     std::vector<Manifold>& out) {
+    SurfacePair pair(surface, convex, margin, motion);
+    pair.add_neighbours(neighbours);
+    pair.collide(out);
 }
 
 Vec3 acting_normal(const Geometry& surface, const SurfaceTriangle& triangle, Vec3 at, Vec3 n) {

@@ -8,6 +8,7 @@
 #include "physics/src/collision/narrowphase/collide_pairs.h"
 #include "physics/src/constraints/write_manifold.h"
 #include "physics/src/foundation/tuning.h"
+#include "physics/src/stages/contacts/find_seam_neighbours.h"
 #include "physics/src/stages/contacts/pair_motion.h"
 #include "physics/src/stages/contacts/predicted_pair.h"
 #include "physics/src/stages/continuous/ccd_policy.h"
@@ -154,6 +155,17 @@ bool is_even_surface(const ShapedBodies& stores, const Contact& c) {
            motion_of(stores, c.body_b).w == Vec3{};
 }
 
+// The shapes next to those of the pair, as predicted at the same time.
+SeamNeighbours predicted_neighbours(const WorldState& world, const Contact& c, double time) {
+    const SeamShapes shapes = find_seam_neighbours(world, c);
+    SeamNeighbours neighbours;
+    for (const std::uint32_t shape : shapes.of_a)
+        neighbours.of_a.push_back(predicted_shape(world, shape, time));
+    for (const std::uint32_t shape : shapes.of_b)
+        neighbours.of_b.push_back(predicted_shape(world, shape, time));
+    return neighbours;
+}
+
 // The motion of a relative to b in the step, starting from the predicted pose.
 SurfaceMotion surface_motion_of(const BodySets& sets, const Contact& c, const PredictedPair& pair,
                                 double dt) {
@@ -187,9 +199,11 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
     std::optional<SurfaceMotion> surface_motion;
     if (displacement > tuning::composite_slack * scale && is_even_surface(world, c))
         surface_motion = surface_motion_of(world, c, pair, dt);
+    const SeamNeighbours neighbours = predicted_neighbours(world, c, time);
     collide_composite(pair.shape_a(), pair.shape_b(),
                       tuning::speculative_margin * scale + task.near, children,
-                      &step.scratch.stopped, surface_motion ? &*surface_motion : nullptr);
+                      &step.scratch.stopped, surface_motion ? &*surface_motion : nullptr,
+                      &neighbours);
     if (is_stopped(step)) {
         task.done = true;  // unchanged
         return;
@@ -242,6 +256,10 @@ Manifold predicted_manifold(const StepContext& step, Contact& c) {
         const TransformedShape &a = pair.shape_a(), &b = pair.shape_b();
         Manifold m = world.def.planar ? collide_planar(a, b, margin, c.cache)
                                       : collide(a, b, margin, c.cache);
+        if (m.count > 0 && !world.def.planar && kind_of(*b.geometry) != ShapeKind::plane) {
+            const SeamNeighbours neighbours = predicted_neighbours(world, c, pair.time());
+            if (!neighbours.empty()) apply_seams(m, a, b, neighbours, margin);
+        }
         pair.rewind_manifold(m, displacement * pair.time() / dt);
         return m;
     };

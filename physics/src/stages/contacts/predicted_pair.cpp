@@ -20,6 +20,19 @@ SweptShape swept(const ShapedBodies& stores, std::uint32_t body, std::uint32_t s
             {0, warm.center, warm.rotation, warm.v * dt, warm.w * dt}};
 }
 
+// The pose of a body at a time from the start of the step, at its current velocities.
+BodyWarm predicted_body(const BodyWarm& warm, double time) {
+    BodyWarm later = warm;
+    later.center += warm.v * time;
+    later.rotation = normalized(from_rotation_vector(warm.w * time) * warm.rotation);
+    later.axes = to_matrix(later.rotation);
+    return later;
+}
+
+bool moves(const BodyWarm& warm, double time) {
+    return time != 0 && (warm.v != Vec3{} || warm.w != Vec3{});
+}
+
 }  // namespace
 
 PredictedPair::Side::Side(const ShapedBodies& stores, std::uint32_t body, std::uint32_t shape_index,
@@ -29,14 +42,11 @@ PredictedPair::Side::Side(const ShapedBodies& stores, std::uint32_t body, std::u
     v = warm.v;
     w = warm.w;
     center = warm.center;
-    if (time == 0 || (v == Vec3{} && w == Vec3{})) {
+    if (!moves(warm, time)) {
         shape = transformed_shape(record, warm);
         return;
     }
-    BodyWarm later = warm;
-    later.center += v * time;
-    later.rotation = normalized(from_rotation_vector(w * time) * warm.rotation);
-    later.axes = to_matrix(later.rotation);
+    const BodyWarm later = predicted_body(warm, time);
     center = later.center;
     shape = transformed_shape(record, later);
 }
@@ -84,6 +94,12 @@ std::optional<double> time_to_contact(const ShapedBodies& stores, const Contact&
     if (impact.at_start) return 0;
     if (impact.fraction > 1) return std::nullopt;
     return impact.fraction * dt;
+}
+
+TransformedShape predicted_shape(const ShapedBodies& stores, std::uint32_t shape, double time) {
+    const ShapeRecord& record = stores.shapes.shapes[shape];
+    const BodyWarm& warm = warm_of(stores, record.body);
+    return transformed_shape(record, moves(warm, time) ? predicted_body(warm, time) : warm);
 }
 
 double smallest_gap(const Manifold& m) {

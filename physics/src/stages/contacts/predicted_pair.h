@@ -58,6 +58,9 @@ double midpoint_time(const ContactGraph& stores, const Contact& contact, double 
 std::optional<double> time_to_contact(const ShapedBodies& stores, const Contact& contact,
                                       double dt);
 
+// A shape as predicted `time` seconds from the start of the step.
+TransformedShape predicted_shape(const ShapedBodies& stores, std::uint32_t shape, double time);
+
 double smallest_gap(const Manifold& manifold);  // m
 
 }  // namespace jostle::physics

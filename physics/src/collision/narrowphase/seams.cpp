@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: MIT
+#include "physics/src/collision/narrowphase/seams.h"
+
+#include "jostle/base/check.h"
+#include "jostle/physics/compound.h"
+#include "physics/src/collision/narrowphase/clip.h"
+#include "physics/src/collision/narrowphase/collide_convex.h"
+#include "physics/src/foundation/tuning.h"
+#include "physics/src/geometry/bvh.h"
+#include "physics/src/geometry/shape_measures.h"
+#include "physics/src/geometry/surface.h"
+#include "physics/src/math/is_unit.h"
+
+namespace jostle::physics {
+namespace {
+
+double height_along(const Convex& shape, Vec3 n) {
+    return dot(support(shape, n), n) + shape.radius;
+}
+
+
+// Calls visit(const Convex&) for the convex parts of a shape, other than a plane, near another one.
+template <class Visit>
+void for_each_part(const TransformedShape& whole, const TransformedShape& near, double margin,
+                   Visit&& visit) {
+    const ShapeKind kind = kind_of(*whole.geometry);
+    if (is_convex(kind)) return visit(convex_of(whole, {}));
+    const Aabb box = grow(bounds_in(whole, near), margin);
+    if (kind == ShapeKind::compound) {
+        const CompoundShape& data = *std::get<Compound>(*whole.geometry).data;
+        data.tree->query(box, [&](std::uint32_t k) {
+            const CompoundChild& child = data.children[k];
+            visit(convex_of({&child.geometry, whole.position + whole.axes * child.pose.position,
+                             whole.axes * to_matrix(child.pose.rotation)},
+                            {}));
+        });
+        return;
+    }
+    for_each_triangle(*whole.geometry, box, [&](const SurfaceTriangle& t) {
+        visit(triangle_convex(t.corner, whole.position, whole.axes));
+    });
+}
+
+}  // namespace
+
+SeamContact::SeamContact(const Convex& shape, const Convex& piece, Vec3 normal, double margin)
+    : shape_(shape),
+      piece_(piece),
+      normal_(normal),
+      margin_(margin),
+      tolerance_(minimum(tuning::even_ground * size_of(shape), tuning::flush_distance)),
+      height_(height_along(piece, normal)) {
+    ASSERT(is_unit(normal, 1e-5) && !(margin < 0));
+}
+
+void SeamContact::test(const Convex& neighbour) {
+    const double rise = height_along(neighbour, normal_) - height_;
+    if (rise <= 0.1 * tolerance_) return;
+    PairCache cache;
+    const double reach = margin_ + neighbour.radius + shape_.radius;
+    const Witness w = find_witness(neighbour, shape_, reach, cache);
+    if (w.distance > reach) return;
+    test(w.normal, height_along(neighbour, w.normal), rise,
+         w.distance - neighbour.radius - shape_.radius);
+}
+
+void SeamContact::test_plane(Vec3 normal, double offset) {
+    const double gap = -height_along(shape_, -normal) - offset;
+    if (gap <= margin_) test(normal, offset, 1e300, gap);
+}
+
+void SeamContact::test(Vec3 normal, double offset, double rise, double gap) {
+    if (gap >= covering_gap_ || dot(normal, normal_) > 1 - 1e-9) return;
+    const double own_rise = height_along(piece_, normal) - offset;
+    if (own_rise > tolerance_ || own_rise >= rise) return;
+    covering_ = normal;
+    covering_gap_ = gap;
+}
+
+Seams::Seams(const TransformedShape& shape, const Mat3& axes, double margin)
+    : origin_(shape.position),
+      axes_(axes),
+      local_{shape.geometry, {}, transpose(axes) * shape.axes},
+      shape_(convex_of(local_, {})),
+      margin_(margin) {
+    ASSERT(is_convex(kind_of(*shape.geometry)));
+}
+
+void Seams::add(const TransformedShape& neighbour) {
+    neighbours_.push_back({neighbour.geometry,
+                           transposed_times(axes_, neighbour.position - origin_),
+                           transpose(axes_) * neighbour.axes});
+}
+
+std::optional<Vec3> Seams::covering_normal(const Convex& piece, Vec3 normal,
+                                           const Geometry* own) const {
+    SeamContact contact(shape_, piece, normal, margin_);
+    for (const TransformedShape& neighbour : neighbours_) {
+        if (neighbour.geometry == own && neighbour.position == piece.position) continue;
+        if (const auto* plane = std::get_if<Plane>(neighbour.geometry)) {
+            const Vec3 up = neighbour.axes * plane->normal;
+            contact.test_plane(up, dot(up, neighbour.position));
+            continue;
+        }
+        for_each_part(neighbour, local_, margin_, [&](const Convex& part) { contact.test(part); });
+    }
+    return contact.covering_normal();
+}
+
+namespace {
+
+// The contact of a piece with a shape along a neighbour's normal n. It has no points if no part of
+// the piece lies flush with the neighbour below the shape.
+Manifold contact_along(const Convex& piece, const Convex& shape, Vec3 n, double margin) {
+    if (dot(feature_along(piece, n).normal, n) < tuning::same_piece) return {};
+    return manifold_of(points_over_face(piece, shape, n, margin), n,
+                       minimum(size_of(piece), size_of(shape)));
+}
+
+// `m`: the manifold of a piece and a shape; its normal points to the shape.
+void apply_seams(Manifold& m, const TransformedShape& piece, const TransformedShape& shape,
+                 const std::vector<TransformedShape>& neighbours, double margin) {
+    if (!is_convex(kind_of(*piece.geometry)) || !is_convex(kind_of(*shape.geometry))) return;
+    Seams seams(shape, Mat3{}, margin);
+    for (const TransformedShape& neighbour : neighbours) seams.add(neighbour);
+    const Convex core = convex_of(piece, shape.position);
+    const auto n = seams.covering_normal(core, m.normal, piece.geometry);
+    if (!n) return;
+    const Manifold along = contact_along(core, convex_of(shape, shape.position), *n, margin);
+    m.count = 0;  // retains the direction of the separation and its distance
+    if (along.count == 0) return;
+    m = along;
+    for (int k = 0; k < m.count; k++) m.point[k] += shape.position;
+}
+
+}  // namespace
+
+void apply_seams(Manifold& m, const TransformedShape& a, const TransformedShape& b,
+                 const SeamNeighbours& neighbours, double margin) {
+    if (m.count > 0 && !neighbours.of_b.empty()) {
+        m = flipped(m);
+        apply_seams(m, b, a, neighbours.of_b, margin);
+        m = flipped(m);
+    }
+    if (m.count > 0 && !neighbours.of_a.empty()) apply_seams(m, a, b, neighbours.of_a, margin);
+}
+
+}  // namespace jostle::physics

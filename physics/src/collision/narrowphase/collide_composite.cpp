@@ -31,7 +31,6 @@ TransformedShape child_of(const TransformedShape& compound, const CompoundChild&
             compound.axes * to_matrix(child.pose.rotation)};
 }
 
-
 // Children of the compound that may be within the margin of the shape, in ascending order.
 std::vector<std::uint32_t> children_near(const TransformedShape& compound,
                                          const TransformedShape& shape, double margin) {
@@ -53,8 +52,8 @@ std::vector<std::uint32_t> children_near(const TransformedShape& compound,
     return near;
 }
 
-// Neither shape is a compound.
-void collide_children(const TransformedShape& a, const TransformedShape& b, double margin,
+// Neither shape is a compound. Returns whether a neighbour covers a contact.
+bool collide_children(const TransformedShape& a, const TransformedShape& b, double margin,
                       std::uint64_t key, const SurfaceMotion* motion,
                       const SeamNeighbours& neighbours, std::vector<ChildManifold>& out) {
     if (is_surface(a) || is_surface(b)) {
@@ -62,18 +61,20 @@ void collide_children(const TransformedShape& a, const TransformedShape& b, doub
         ASSERT(!(margin < 0));
         if ((a_is_surface && !is_convex(kind_of(*b.geometry))) ||
             (!a_is_surface && !is_convex(kind_of(*a.geometry))))
-            return;
+            return false;
         std::vector<Manifold> pieces;
-        collide_surface(a_is_surface ? a : b, a_is_surface ? b : a, margin, motion,
-                        a_is_surface ? neighbours.of_a : neighbours.of_b, pieces);
+        const bool covered =
+            collide_surface(a_is_surface ? a : b, a_is_surface ? b : a, margin, motion,
+                            a_is_surface ? neighbours.of_a : neighbours.of_b, pieces);
         for (const Manifold& piece : pieces)
             out.push_back({key, a_is_surface ? piece : flipped(piece)});
-        return;
+        return covered;
     }
     PairCache cache;
     Manifold m = collide(a, b, margin, cache);
-    apply_seams(m, a, b, neighbours, margin);
+    const bool covered = apply_seams(m, a, b, neighbours, margin);
     if (m.count > 0) out.push_back({key, m});
+    return covered;
 }
 
 bool parts_overlap(const TransformedShape& a, const TransformedShape& b) {
@@ -106,7 +107,7 @@ void append(std::vector<TransformedShape>& shapes, const std::vector<Part>& part
 
 }  // namespace
 
-void collide_composite(const TransformedShape& a, const TransformedShape& b, double margin,
+bool collide_composite(const TransformedShape& a, const TransformedShape& b, double margin,
                        std::vector<ChildManifold>& out, const std::atomic<bool>* stopped,
                        const SurfaceMotion* motion, const SeamNeighbours* neighbours) {
     static const SeamNeighbours none;
@@ -114,19 +115,21 @@ void collide_composite(const TransformedShape& a, const TransformedShape& b, dou
     if (!is_compound(a) && !is_compound(b))
         return collide_children(a, b, margin, 0, motion, others, out);
     const std::vector<Part> parts_a = parts_near(a, b, margin);
+    bool covered = false;
     for (const Part& pa : parts_a) {
         const std::vector<Part> parts_b = parts_near(b, pa.shape, margin);
         SeamNeighbours near = others;
         if (parts_b.size() > 1) append(near.of_b, parts_b);
         if (parts_a.size() > 1) append(near.of_a, parts_a);
         for (const Part& pb : parts_b) {
-            collide_children(pa.shape, pb.shape, margin, pa.number << 32 | pb.number, motion, near,
-                             out);
+            covered |= collide_children(pa.shape, pb.shape, margin, pa.number << 32 | pb.number,
+                                        motion, near, out);
             if (out.size() >= child_manifolds_max ||
                 (stopped != nullptr && stopped->load(std::memory_order_relaxed)))
-                return;
+                return covered;
         }
     }
+    return covered;
 }
 
 bool shapes_overlap(const TransformedShape& a, const TransformedShape& b) {

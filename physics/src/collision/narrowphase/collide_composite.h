@@ -33,7 +33,8 @@ inline bool is_composite(ShapeKind kind) {
 // `motion`: motion of the shape that is not a surface. Triangles that it does not approach are
 // skipped.
 // `neighbours`: shapes whose seams with these do not produce contacts; null if there are none.
-void collide_composite(const TransformedShape& a, const TransformedShape& b, double margin,
+// Returns whether a neighbour covers a contact (seams.h).
+bool collide_composite(const TransformedShape& a, const TransformedShape& b, double margin,
                        std::vector<ChildManifold>& out, const std::atomic<bool>* stopped = nullptr,
                        const SurfaceMotion* motion = nullptr,
                        const SeamNeighbours* neighbours = nullptr);

@@ -169,12 +169,12 @@ public:
 
     void add_neighbours(const std::vector<TransformedShape>& neighbours) {
         for (const TransformedShape& neighbour : neighbours)
-            if (neighbour.geometry != surface_.geometry ||
-                neighbour.position != surface_.position)
+            if (neighbour.geometry != surface_.geometry || neighbour.position != surface_.position)
                 seams_.add(neighbour);
     }
 
-    void collide(std::vector<Manifold>& out) {
+    // Returns whether a neighbour covers a contact.
+    bool collide(std::vector<Manifold>& out) {
         for_each_triangle(*surface_.geometry, box_, [&](const SurfaceTriangle& t) { add(t); });
         add_uncovered_triangles();
         // Deepest first: the normal of a piece is the normal of its deepest triangle.
@@ -198,6 +198,7 @@ public:
                 m.point[k] = surface_.position + surface_.axes * (m.point[k] + origin_);
             out.push_back(m);
         }
+        return covered_;
     }
 
 private:
@@ -284,11 +285,11 @@ private:
         const double side = is_behind(t, corner, w) ? -1 : 1;
         const Vec3 face = front * side;
         Patch patch{.normal = w.normal, .triangle = t.index, .points = {}};
-        const bool allowed =
-            may_act(*surface_.geometry, t, face, side, w.on_a + origin_, w.normal);
+        const bool allowed = may_act(*surface_.geometry, t, face, side, w.on_a + origin_, w.normal);
         const std::optional<Vec3> cover =
             covering_normal(t, triangle, w.on_a, w.normal, face, allowed);
         if (cover) {
+            covered_ = true;
             if (dot(*cover, face) < tuning::same_piece) return;
             patch.normal = face;
             patch.points = points_over_face(triangle, shape_, face, margin_);
@@ -470,7 +471,8 @@ private:
     double size_ = 0;
     Vec3 middle_;
     Seams seams_;
-    Vec3 exit_direction_;  // zero until computed
+    bool covered_ = false;  // a neighbour covers a contact
+    Vec3 exit_direction_;   // zero until computed
     std::optional<ShapeMotion> motion_;
     std::vector<Patch> patches_;
     std::vector<HeldTriangle> held_;
@@ -478,12 +480,12 @@ private:
 
 }  // namespace
 
-void collide_surface(const TransformedShape& surface, const TransformedShape& convex, double margin,
+bool collide_surface(const TransformedShape& surface, const TransformedShape& convex, double margin,
                      const SurfaceMotion* motion, const std::vector<TransformedShape>& neighbours,
                      std::vector<Manifold>& out) {
     SurfacePair pair(surface, convex, margin, motion);
     pair.add_neighbours(neighbours);
-    pair.collide(out);
+    return pair.collide(out);
 }
 
 Vec3 acting_normal(const Geometry& surface, const SurfaceTriangle& triangle, Vec3 at, Vec3 n) {

@@ -16,7 +16,8 @@ namespace jostle::physics {
 // Appends one manifold per flat piece, deepest first. Normals point from the surface to the shape.
 // `motion`: motion of the shape; null if it does not move.
 // `neighbours`: shapes next to the surface that the shape may touch; may include the surface.
-void collide_surface(const TransformedShape& surface, const TransformedShape& convex, double margin,
+// Returns whether one of them covers a contact (seams.h).
+bool collide_surface(const TransformedShape& surface, const TransformedShape& convex, double margin,
                      const SurfaceMotion* motion, const std::vector<TransformedShape>& neighbours,
                      std::vector<Manifold>& out);
 

@@ -5,6 +5,7 @@
 #include "jostle/physics/compound.h"
 #include "physics/src/collision/narrowphase/clip.h"
 #include "physics/src/collision/narrowphase/collide_convex.h"
+#include "physics/src/collision/narrowphase/gjk.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/geometry/bvh.h"
 #include "physics/src/geometry/shape_measures.h"
@@ -18,14 +19,13 @@ double height_along(const Convex& shape, Vec3 n) {
     return dot(support(shape, n), n) + shape.radius;
 }
 
-
-// Calls visit(const Convex&) for the convex parts of a shape, other than a plane, near another one.
+// Calls visit(const Convex&) for the convex parts of a shape, other than a plane, in a box in its
+// own frame.
 template <class Visit>
-void for_each_part(const TransformedShape& whole, const TransformedShape& near, double margin,
-                   Visit&& visit) {
+void for_each_part(const TransformedShape& whole, const Aabb& box, Visit&& visit) {
     const ShapeKind kind = kind_of(*whole.geometry);
+    ASSERT(kind != ShapeKind::plane);
     if (is_convex(kind)) return visit(convex_of(whole, {}));
-    const Aabb box = grow(bounds_in(whole, near), margin);
     if (kind == ShapeKind::compound) {
         const CompoundShape& data = *std::get<Compound>(*whole.geometry).data;
         data.tree->query(box, [&](std::uint32_t k) {
@@ -77,6 +77,21 @@ void SeamContact::test(Vec3 normal, double offset, double rise, double gap) {
     covering_gap_ = gap;
 }
 
+namespace {
+
+// Tests the parts of a neighbour near the shape.
+void test_neighbour(SeamContact& contact, const TransformedShape& neighbour,
+                    const TransformedShape& shape, double margin) {
+    if (const auto* plane = std::get_if<Plane>(neighbour.geometry)) {
+        const Vec3 up = neighbour.axes * plane->normal;
+        return contact.test_plane(up, dot(up, neighbour.position));
+    }
+    for_each_part(neighbour, grow(bounds_in(neighbour, shape), margin),
+                  [&](const Convex& part) { contact.test(part); });
+}
+
+}  // namespace
+
 Seams::Seams(const TransformedShape& shape, const Mat3& axes, double margin)
     : origin_(shape.position),
       axes_(axes),
@@ -95,15 +110,9 @@ void Seams::add(const TransformedShape& neighbour) {
 std::optional<Vec3> Seams::covering_normal(const Convex& piece, Vec3 normal,
                                            const Geometry* own) const {
     SeamContact contact(shape_, piece, normal, margin_);
-    for (const TransformedShape& neighbour : neighbours_) {
-        if (neighbour.geometry == own && neighbour.position == piece.position) continue;
-        if (const auto* plane = std::get_if<Plane>(neighbour.geometry)) {
-            const Vec3 up = neighbour.axes * plane->normal;
-            contact.test_plane(up, dot(up, neighbour.position));
-            continue;
-        }
-        for_each_part(neighbour, local_, margin_, [&](const Convex& part) { contact.test(part); });
-    }
+    for (const TransformedShape& neighbour : neighbours_)
+        if (neighbour.geometry != own || neighbour.position != piece.position)
+            test_neighbour(contact, neighbour, local_, margin_);
     return contact.covering_normal();
 }
 
@@ -118,31 +127,66 @@ Manifold contact_along(const Convex& piece, const Convex& shape, Vec3 n, double 
 }
 
 // `m`: the manifold of a piece and a shape; its normal points to the shape.
-void apply_seams(Manifold& m, const TransformedShape& piece, const TransformedShape& shape,
+bool apply_seams(Manifold& m, const TransformedShape& piece, const TransformedShape& shape,
                  const std::vector<TransformedShape>& neighbours, double margin) {
-    if (!is_convex(kind_of(*piece.geometry)) || !is_convex(kind_of(*shape.geometry))) return;
+    if (m.count == 0 || neighbours.empty() || !is_convex(kind_of(*piece.geometry)) ||
+        !is_convex(kind_of(*shape.geometry)))
+        return false;
     Seams seams(shape, Mat3{}, margin);
     for (const TransformedShape& neighbour : neighbours) seams.add(neighbour);
     const Convex core = convex_of(piece, shape.position);
     const auto n = seams.covering_normal(core, m.normal, piece.geometry);
-    if (!n) return;
+    if (!n) return false;
     const Manifold along = contact_along(core, convex_of(shape, shape.position), *n, margin);
     m.count = 0;  // retains the direction of the separation and its distance
-    if (along.count == 0) return;
+    if (along.count == 0) return true;
     m = along;
     for (int k = 0; k < m.count; k++) m.point[k] += shape.position;
+    return true;
 }
 
 }  // namespace
 
-void apply_seams(Manifold& m, const TransformedShape& a, const TransformedShape& b,
+bool apply_seams(Manifold& m, const TransformedShape& a, const TransformedShape& b,
                  const SeamNeighbours& neighbours, double margin) {
-    if (m.count > 0 && !neighbours.of_b.empty()) {
-        m = flipped(m);
-        apply_seams(m, b, a, neighbours.of_b, margin);
-        m = flipped(m);
-    }
-    if (m.count > 0 && !neighbours.of_a.empty()) apply_seams(m, a, b, neighbours.of_a, margin);
+    if (m.count == 0 || neighbours.empty()) return false;
+    m = flipped(m);
+    const bool by_b = apply_seams(m, b, a, neighbours.of_b, margin);
+    m = flipped(m);
+    return apply_seams(m, a, b, neighbours.of_a, margin) || by_b;
+}
+
+namespace {
+
+// Calls visit(const Convex&) for the convex parts of a shape within `margin` of a point, relative
+// to that point. Not for planes.
+template <class Visit>
+void for_each_part_at(const TransformedShape& whole, Vec3 point, double margin, Visit&& visit) {
+    const Vec3 own = transposed_times(whole.axes, point - whole.position);
+    const Convex at{.core = Core::point, .position = {}, .size = {}};
+    for_each_part({whole.geometry, whole.position - point, whole.axes}, grow({own, own}, margin),
+                  [&](const Convex& part) {
+                      if (gjk(part, at, {}).distance <= part.radius + margin) visit(part);
+                  });
+}
+
+}  // namespace
+
+bool is_covered(const TransformedShape& floor, const TransformedShape& shape, Vec3 point,
+                Vec3 normal, const std::vector<TransformedShape>& neighbours, double margin) {
+    if (kind_of(*floor.geometry) == ShapeKind::plane) return false;
+    bool covered = false, uncovered = false;
+    for_each_part_at(shape, point, margin, [&](const Convex& moving) {
+        for_each_part_at(floor, point, margin, [&](const Convex& piece) {
+            SeamContact contact(moving, piece, normal, margin);
+            for (const TransformedShape& neighbour : neighbours)
+                test_neighbour(contact,
+                               {neighbour.geometry, neighbour.position - point, neighbour.axes},
+                               {shape.geometry, shape.position - point, shape.axes}, margin);
+            (contact.covering_normal() ? covered : uncovered) = true;
+        });
+    });
+    return covered && !uncovered;
 }
 
 }  // namespace jostle::physics

@@ -30,9 +30,15 @@ struct SeamNeighbours {
     bool empty() const { return of_a.empty() && of_b.empty(); }
 };
 
-// Changes the contact points of two shapes, neither of them composite, that neighbours cover.
-void apply_seams(Manifold& manifold, const TransformedShape& a, const TransformedShape& b,
+// Changes the contact points of two shapes, neither of them composite, if a neighbour covers them;
+// returns whether one does.
+bool apply_seams(Manifold& manifold, const TransformedShape& a, const TransformedShape& b,
                  const SeamNeighbours& neighbours, double margin);
+
+// Returns whether neighbours cover the contact of a shape of any kind with another one, `floor`, at
+// a point within `margin` metres of both. `normal` points from the floor to the shape.
+bool is_covered(const TransformedShape& floor, const TransformedShape& shape, Vec3 point,
+                Vec3 normal, const std::vector<TransformedShape>& neighbours, double margin);
 
 // A contact of a shape with a convex piece, in any common frame. Only pieces that the shape may
 // touch within `margin` metres cover it.

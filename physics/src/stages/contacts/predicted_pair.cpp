@@ -76,15 +76,19 @@ void PredictedPair::rewind_manifold(Manifold& m, double displacement) const {
 // The forces of n sub-steps act at their starts, on average (n - 1) / 2n of a step after its start.
 // The prediction is limited to half the thickness, because a body may be stopped before it gets
 // there.
-double midpoint_time(const ContactGraph& stores, const Contact& c, double displacement, double dt) {
-    const bool touching = c.composite ? c.touching_children > 0 : c.touching;
-    if (!touching || displacement < tuning::noticed_motion * scale_of_pair(stores.bodies, c))
-        return 0;
+double time_of_forces(const ContactGraph& stores, const Contact& c, double displacement,
+                      double dt) {
+    if (displacement < tuning::noticed_motion * scale_of_pair(stores.bodies, c)) return 0;
     const BodyCold &a = stores.bodies.cold[c.body_a], &b = stores.bodies.cold[c.body_b];
     const double thin =
         b.type == BodyType::dynamic ? minimum(a.inner_radius, b.inner_radius) : a.inner_radius;
     const int n = substeps_of(stores.islands.islands[a.island].colour_set, stores);
     return dt * minimum(0.5 - 0.5 / n, 0.5 * thin / displacement);
+}
+
+double midpoint_time(const ContactGraph& stores, const Contact& c, double displacement, double dt) {
+    const bool touching = c.composite ? c.touching_children > 0 : c.touching;
+    return touching ? time_of_forces(stores, c, displacement, dt) : 0;
 }
 
 std::optional<double> time_to_contact(const ShapedBodies& stores, const Contact& c, double dt) {

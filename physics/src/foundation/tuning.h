@@ -73,7 +73,7 @@ inline constexpr double weld_distance = 4e-5;  // m
 // of the shape on them, are flush.
 inline constexpr double flush_distance = 1e-3;  // m
 // An edge of a surface accepts normals that lean this far beyond its range.
-inline constexpr double edge_slack = 0.01;  // rad
+inline constexpr double edge_slack = 1e-4;  // rad
 // Round edges that cross at a small angle touch in an elongated ellipse (Hertz). They get two
 // points, where the distance of their axes exceeds the minimum by this fraction of the radius.
 // Derivation: narrowphase/segments.h. Values from 1/10000 to 1/2000 gave equal results.

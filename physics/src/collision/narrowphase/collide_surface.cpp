@@ -26,8 +26,10 @@ struct Patch {
     Vec3 corner[3];  // relative to the shape's position
 };
 
-// A triangle that is closer to the shape than its contact points show: its seam does not allow the
-// contact, and its face is further away. Normally a neighbouring triangle pushes instead.
+// A triangle that overlaps the shape more than its contact points show: its seam does not allow the
+// contact, and its face overlaps less. Normally a neighbouring triangle pushes instead. Of a
+// separated shape, a neighbour is certainly nearer: at a point of the surface that is nearest to
+// the shape, the direction to the shape is allowed by all triangles that meet there.
 struct HeldTriangle {
     Vec3 corner[3];  // relative to the shape's position
     Witness witness;
@@ -54,7 +56,7 @@ bool edge_allows(const SurfaceEdge& edge, Vec3 face, double side, Vec3 outward, 
 }
 
 // A normal closer to a face normal than this acts like it.
-constexpr double facing = 0.99995;
+constexpr double facing = 1 - 1e-9;
 
 // Calls visit(edge, outward) for the edges of a triangle at the point `at`. `outward` lies in the
 // triangle's plane. Returns false as soon as visit() does.
@@ -286,8 +288,7 @@ private:
         const Vec3 face = front * side;
         Patch patch{.normal = w.normal, .triangle = t.index, .points = {}};
         const bool allowed = may_act(*surface_.geometry, t, face, side, w.on_a + origin_, w.normal);
-        const std::optional<Vec3> cover =
-            covering_normal(t, triangle, w.on_a, w.normal, face, allowed);
+        const std::optional<Vec3> cover = covering_normal(t, triangle, w.on_a, w.normal, face);
         if (cover) {
             covered_ = true;
             if (dot(*cover, face) < tuning::same_piece) return;
@@ -302,7 +303,7 @@ private:
             double nearest = 1e300;
             for (int k = 0; k < patch.points.count; k++)
                 nearest = minimum(nearest, patch.points.gap[k]);
-            if (nearest > gap_of(w) + slack())
+            if (gap_of(w) < 0 && nearest > gap_of(w) + slack())
                 held_.push_back({{corner[0], corner[1], corner[2]},
                                  w,
                                  nearest_on_triangle(corner, w.on_a),
@@ -315,11 +316,11 @@ private:
     // The normal of a neighbour that covers the contact with a triangle at a point of its edge: of
     // another shape, or of another triangle if the edge has no neighbour that could tell.
     std::optional<Vec3> covering_normal(const SurfaceTriangle& t, const Convex& triangle, Vec3 at,
-                                        Vec3 n, Vec3 face, bool allowed) const {
+                                        Vec3 n, Vec3 face) const {
         if (dot(n, face) > facing) return std::nullopt;
         if (!seams_.empty())
             if (const auto cover = seams_.covering_normal(triangle, n, nullptr)) return cover;
-        if (!allowed || !is_on_border(*surface_.geometry, t, at + origin_)) return std::nullopt;
+        if (!is_on_border(*surface_.geometry, t, at + origin_)) return std::nullopt;
         SeamContact contact(shape_, triangle, n, margin_);
         for_each_triangle(*surface_.geometry, box_, [&](const SurfaceTriangle& other) {
             if (other.index == t.index) return;

@@ -26,10 +26,8 @@ struct Patch {
     Vec3 corner[3];  // relative to the shape's position
 };
 
-// A triangle that overlaps the shape more than its contact points show: its seam does not allow the
-// contact, and its face overlaps less. Normally a neighbouring triangle pushes instead. Of a
-// separated shape, a neighbour is certainly nearer: at a point of the surface that is nearest to
-// the shape, the direction to the shape is allowed by all triangles that meet there.
+// A triangle that is closer to the shape than its contact points show: its seam does not allow the
+// contact, and its face is further away. Normally a neighbouring triangle pushes instead.
 struct HeldTriangle {
     Vec3 corner[3];  // relative to the shape's position
     Witness witness;
@@ -303,7 +301,7 @@ private:
             double nearest = 1e300;
             for (int k = 0; k < patch.points.count; k++)
                 nearest = minimum(nearest, patch.points.gap[k]);
-            if (gap_of(w) < 0 && nearest > gap_of(w) + slack())
+            if (nearest > gap_of(w) + slack())
                 held_.push_back({{corner[0], corner[1], corner[2]},
                                  w,
                                  nearest_on_triangle(corner, w.on_a),
@@ -441,6 +439,26 @@ private:
                            [](const Patch& p) { return p.deepest < 0; });
     }
 
+    // Returns whether no triangle at the point of a held triangle is nearer to a separated shape
+    // than that point. A far corner is held, too, while the triangles between it and the shape are
+    // out of reach.
+    bool is_nearest(const HeldTriangle& held) const {
+        const Vec3 at = held.nearest, n = held.witness.normal;
+        bool nearest = true;
+        const double near = minimum(tuning::weld_distance, tuning::even_ground * size_);
+        const Vec3 point = at + origin_;
+        for_each_triangle(*surface_.geometry, grow({point, point}, near),
+                          [&](const SurfaceTriangle& t) {
+                              const Vec3 corner[3] = {t.corner[0] - origin_, t.corner[1] - origin_,
+                                                      t.corner[2] - origin_};
+                              if (length(nearest_on_triangle(corner, at) - at) > near) return;
+                              for (const Vec3 c : corner)
+                                  if (dot(n, c - at) > tuning::edge_slack * length(c - at) + near)
+                                      nearest = false;
+                          });
+        return nearest;
+    }
+
     // If no neighbour pushes, for example at the sharp folds of a crumpled surface, a seam acts
     // like any other edge. The nearest held triangle is added first; the triangles that it covers
     // are skipped.
@@ -455,6 +473,7 @@ private:
                     next = &w;
             if (next == nullptr) return;
             next->covered = true;
+            if (gap_of(next->witness) > 0 && !is_nearest(*next)) continue;
             Patch patch{.normal = next->witness.normal, .triangle = next->triangle, .points = {}};
             patch.points = contact_points(triangle_convex(next->corner, {}, {}), shape_,
                                           next->witness, margin_);

@@ -100,11 +100,12 @@ Pieces tiles(const Geometry& tile) {
         for (int r = 0; r < 4; r++) pieces.push_back({tile, {-7.5 + k, -0.5, -1.5 + r}});
     return pieces;
 }
-Pieces box_tiles() { return tiles(Box{{0.5, 0.5, 0.5}}); }
+Pieces box_tiles() {
+    return tiles(Box{{0.5, 0.5, 0.5}});
+}
 Pieces hull_tiles() {
     std::vector<Vec3> corners;
-    for (int k = 0; k < 8; k++)
-        corners.push_back({k % 2 - 0.5, k / 2 % 2 - 0.5, k / 4 - 0.5});
+    for (int k = 0; k < 8; k++) corners.push_back({k % 2 - 0.5, k / 2 % 2 - 0.5, k / 4 - 0.5});
     return tiles(Hull{must(build_hull(corners))});
 }
 Pieces compound_of_tiles() {
@@ -153,13 +154,13 @@ void ride(const Pieces& floor, Rider rider, Vec3 floor_velocity = {}) {
     const Quat tilt = from_rotation_vector({0, 0.3, 0}) * from_rotation_vector({0.1, 0, 0.2});
     World world = make_world({.gravity = rotate(tilt, {0, -9.81, 0})});
     for (const Piece& piece : floor)
-        add(world, {.geometry = piece.geometry,
-                    .position = rotate(tilt, piece.position),
-                    .rotation = tilt,
-                    .velocity = rotate(tilt, floor_velocity),
-                    .friction = rider.body.friction,
-                    .type = floor_velocity == Vec3{} ? BodyType::static_body
-                                                     : BodyType::kinematic});
+        add(world,
+            {.geometry = piece.geometry,
+             .position = rotate(tilt, piece.position),
+             .rotation = tilt,
+             .velocity = rotate(tilt, floor_velocity),
+             .friction = rider.body.friction,
+             .type = floor_velocity == Vec3{} ? BodyType::static_body : BodyType::kinematic});
     const Vec3 start{-6, rider.height + 1e-4, 0.137}, velocity = rider.body.velocity;
     rider.body.position = rotate(tilt, start);
     rider.body.rotation = tilt * rider.body.rotation;
@@ -171,8 +172,8 @@ void ride(const Pieces& floor, Rider rider, Vec3 floor_velocity = {}) {
     const int steps = static_cast<int>(12 / velocity.x * 60);
     for (int k = 1; k <= steps; k++) {
         must(world.step(1.0 / 60));
-        const Vec3 p = rotate(conjugate(tilt), position_of(world, body)) -
-                       floor_velocity * (k / 60.0);
+        const Vec3 p =
+            rotate(conjugate(tilt), position_of(world, body)) - floor_velocity * (k / 60.0);
         const Vec3 v = rotate(conjugate(tilt), velocity_of(world, body)) - floor_velocity;
         bump = std::max(bump, std::fabs(p.y - rider.height));
         speed = std::max(speed, std::fabs(v.x - velocity.x));
@@ -184,24 +185,46 @@ void ride(const Pieces& floor, Rider rider, Vec3 floor_velocity = {}) {
 }
 
 void ride_all(const Pieces& floor, Vec3 floor_velocity = {}) {
-    for (const Rider& rider : {box_at_2_m_s(), ball_at_8_m_s(), capsule_at_25_m_s(0),
-                               capsule_at_25_m_s(0.6)}) {
+    for (const Rider& rider :
+         {box_at_2_m_s(), ball_at_8_m_s(), capsule_at_25_m_s(0), capsule_at_25_m_s(0.6)}) {
         SCOPED_TRACE(std::string(kind_name(kind_of(rider.body.geometry))));
         ride(floor, rider, floor_velocity);
     }
 }
 
-TEST(Floors, welded_mesh) { ride_all({{sheet().mesh(), {}}}); }
-TEST(Floors, mesh_with_every_triangle_twice) { ride_all(doubled_mesh()); }
-TEST(Floors, mesh_with_both_diagonals_of_every_square) { ride_all(mesh_with_both_diagonals()); }
-TEST(Floors, mesh_whose_corners_do_not_quite_meet) { ride_all(loose_mesh()); }
-TEST(Floors, mesh_with_corners_on_edges) { ride_all(uneven_mesh()); }
-TEST(Floors, mesh_cut_into_bodies) { ride_all(cut_mesh()); }
-TEST(Floors, flush_boxes) { ride_all(box_tiles()); }
-TEST(Floors, flush_hulls) { ride_all(hull_tiles()); }
-TEST(Floors, compound_of_flush_boxes) { ride_all(compound_of_tiles()); }
-TEST(Floors, height_fields_beside_boxes) { ride_all(fields_and_boxes()); }
-TEST(Floors, moving_boxes) { ride_all(box_tiles(), {0.7, 0, 0.2}); }
+TEST(Floors, welded_mesh) {
+    ride_all({{sheet().mesh(), {}}});
+}
+TEST(Floors, mesh_with_every_triangle_twice) {
+    ride_all(doubled_mesh());
+}
+TEST(Floors, mesh_with_both_diagonals_of_every_square) {
+    ride_all(mesh_with_both_diagonals());
+}
+TEST(Floors, mesh_whose_corners_do_not_quite_meet) {
+    ride_all(loose_mesh());
+}
+TEST(Floors, mesh_with_corners_on_edges) {
+    ride_all(uneven_mesh());
+}
+TEST(Floors, mesh_cut_into_bodies) {
+    ride_all(cut_mesh());
+}
+TEST(Floors, flush_boxes) {
+    ride_all(box_tiles());
+}
+TEST(Floors, flush_hulls) {
+    ride_all(hull_tiles());
+}
+TEST(Floors, compound_of_flush_boxes) {
+    ride_all(compound_of_tiles());
+}
+TEST(Floors, height_fields_beside_boxes) {
+    ride_all(fields_and_boxes());
+}
+TEST(Floors, moving_boxes) {
+    ride_all(box_tiles(), {0.7, 0, 0.2});
+}
 
 // What stands on a floor still stops a body that slides into it.
 TEST(Floors, a_wall_on_flush_tiles_stops_a_box) {

@@ -121,7 +121,8 @@ namespace {
 // The contact of a piece with a shape along a neighbour's normal n. It has no points if no part of
 // the piece lies flush with the neighbour below the shape.
 Manifold contact_along(const Convex& piece, const Convex& shape, Vec3 n, double margin) {
-    if (dot(feature_along(piece, n).normal, n) < tuning::same_piece) return {};
+    const Feature face = feature_along(piece, n);
+    if (face.count < 3 || dot(face.normal, n) < tuning::same_piece) return {};
     return manifold_of(points_over_face(piece, shape, n, margin), n,
                        minimum(size_of(piece), size_of(shape)));
 }

@@ -223,6 +223,9 @@ Result<std::shared_ptr<const TriangleMesh>> build_mesh(
     }
     if (mesh->triangles.empty()) return mesh_error("all its triangles are degenerate");
     const std::vector<std::uint32_t> slot = weld(*mesh);
+    for (std::size_t v = 0; v < slot.size(); v++)
+        mesh->weld_gap =
+            maximum(mesh->weld_gap, length(mesh->vertices[v] - mesh->vertices[slot[v]]));
     drop_repeated_triangles(*mesh, boxes, slot);
     find_neighbours(*mesh, slot);
     mesh->tree = std::make_shared<const Bvh>(boxes);

@@ -31,6 +31,7 @@ struct TriangleMesh {
     /// neighbours[t][k] is the triangle across edge k of triangle t, from corner k to corner k + 1;
     /// 0xffffffff if there is none or more than one.
     std::vector<std::array<std::uint32_t, 3>> neighbours;
+    double weld_gap = 0;              ///< m: largest distance between vertices that count as one
     std::shared_ptr<const Bvh> tree;  ///< bounding volume hierarchy of the triangles
     Aabb bounds;                      ///< in the local frame
     std::uint64_t content_hash = 0;   ///< equal for equal contents

@@ -16,6 +16,8 @@ namespace {
 // Limit for one pair of shapes. Two bodies that touch in more places overlap deeply, and their
 // children could form a billion pairs, which do not fit into memory.
 constexpr std::size_t child_manifolds_max = 1 << 14;
+// Every two manifolds are compared. More parts than this touch only if the shapes overlap deeply.
+constexpr std::size_t seam_parts_max = 256;
 
 bool is_surface(const TransformedShape& shape) {
     const ShapeKind kind = kind_of(*shape.geometry);
@@ -101,8 +103,54 @@ std::vector<Part> parts_near(const TransformedShape& whole, const TransformedSha
     return parts;
 }
 
-void append(std::vector<TransformedShape>& shapes, const std::vector<Part>& parts) {
-    for (const Part& part : parts) shapes.push_back(part.shape);
+// The two parts of a manifold between convex parts.
+struct PartPair {
+    std::size_t index = 0;  // of the manifold
+    TransformedShape a, b;
+    Manifold manifold;
+};
+
+// The manifold as seen from one side: from the piece on that side to the other part.
+struct SeamSide {
+    const TransformedShape *piece, *shape;
+    std::uint32_t shape_number;
+    Vec3 normal;
+};
+SeamSide side_of(const PartPair& pair, std::uint64_t key, bool of_b) {
+    const auto low = static_cast<std::uint32_t>(key), high = static_cast<std::uint32_t>(key >> 32);
+    if (of_b) return {&pair.b, &pair.a, high, -pair.manifold.normal};
+    return {&pair.a, &pair.b, low, pair.manifold.normal};
+}
+
+// Parts of one compound are neighbours. Changes the manifolds that other parts cover; returns
+// whether there are any.
+bool apply_seams_of_parts(const std::vector<PartPair>& pairs, double margin,
+                          std::vector<ChildManifold>& out) {
+    bool any = false;
+    for (const PartPair& own : pairs)
+        for (const bool of_b : {true, false}) {
+            ChildManifold& child = out[own.index];
+            const SeamSide side = side_of(own, child.key, of_b);
+            const Vec3 origin = side.shape->position;
+            const Convex shape = convex_of(*side.shape, origin),
+                         piece = convex_of(*side.piece, origin);
+            SeamContact contact(shape, piece, side.normal, own.manifold.distance);
+            for (const PartPair& other : pairs) {
+                const SeamSide next = side_of(other, out[other.index].key, of_b);
+                if (&other != &own && next.shape_number == side.shape_number)
+                    contact.test(convex_of(*next.piece, origin), next.normal,
+                                 other.manifold.distance);
+            }
+            const auto n = contact.covering_normal();
+            if (!n) continue;
+            any = true;
+            Manifold along = contact_along(piece, shape, *n, margin);
+            for (int k = 0; k < along.count; k++) along.point[k] += origin;
+            child.manifold = of_b ? flipped(along) : along;
+            break;
+        }
+    std::erase_if(out, [](const ChildManifold& child) { return child.manifold.count == 0; });
+    return any;
 }
 
 }  // namespace
@@ -114,22 +162,24 @@ bool collide_composite(const TransformedShape& a, const TransformedShape& b, dou
     const SeamNeighbours& others = neighbours != nullptr ? *neighbours : none;
     if (!is_compound(a) && !is_compound(b))
         return collide_children(a, b, margin, 0, motion, others, out);
-    const std::vector<Part> parts_a = parts_near(a, b, margin);
     bool covered = false;
-    for (const Part& pa : parts_a) {
-        const std::vector<Part> parts_b = parts_near(b, pa.shape, margin);
-        SeamNeighbours near = others;
-        if (parts_b.size() > 1) append(near.of_b, parts_b);
-        if (parts_a.size() > 1) append(near.of_a, parts_a);
-        for (const Part& pb : parts_b) {
+    std::vector<PartPair> pairs;
+    const std::vector<Part> parts_a = parts_near(a, b, margin);
+    for (const Part& pa : parts_a)
+        for (const Part& pb : parts_near(b, pa.shape, margin)) {
+            const std::size_t before = out.size();
             covered |= collide_children(pa.shape, pb.shape, margin, pa.number << 32 | pb.number,
-                                        motion, near, out);
+                                        motion, others, out);
             if (out.size() >= child_manifolds_max ||
                 (stopped != nullptr && stopped->load(std::memory_order_relaxed)))
                 return covered;
+            const bool convex = !is_surface(pa.shape) && !is_surface(pb.shape) &&
+                                kind_of(*pb.shape.geometry) != ShapeKind::plane;
+            if (convex && out.size() > before)
+                pairs.push_back({out.size() - 1, pa.shape, pb.shape, out.back().manifold});
         }
-    }
-    return covered;
+    if (pairs.size() < 2 || pairs.size() > seam_parts_max) return covered;
+    return apply_seams_of_parts(pairs, margin, out) || covered;
 }
 
 bool shapes_overlap(const TransformedShape& a, const TransformedShape& b) {

@@ -136,7 +136,7 @@ class SurfacePair {
 public:
     SurfacePair(const TransformedShape& surface, const TransformedShape& convex, double margin,
                 const SurfaceMotion* motion = nullptr)
-        : surface_(surface), margin_(margin), seams_(convex, surface.axes, margin) {
+        : surface_(surface), margin_(margin), seams_(convex, surface.axes) {
         // In the surface's frame, with the shape's position as the origin.
         origin_ = transposed_times(surface.axes, convex.position - surface.position);
         const Mat3 axes = transpose(surface.axes) * convex.axes;
@@ -291,7 +291,8 @@ private:
         Patch patch{.normal = w.normal, .triangle = t.index, .points = {}};
         const bool allowed =
             may_act(*surface_.geometry, t, face, side, w.on_a + origin_, w.normal, edge_slack_);
-        const std::optional<Vec3> cover = covering_normal(t, triangle, w.on_a, w.normal, face);
+        const std::optional<Vec3> cover =
+            covering_normal(t, triangle, w.on_a, w.normal, gap_of(w), face);
         if (cover) {
             covered_ = true;
             if (dot(*cover, face) < tuning::same_piece) return;
@@ -326,12 +327,12 @@ private:
     // The normal of a neighbour that covers the contact with a triangle at a point of its edge: of
     // another shape, or of another triangle if the edge has no neighbour that could tell.
     std::optional<Vec3> covering_normal(const SurfaceTriangle& t, const Convex& triangle, Vec3 at,
-                                        Vec3 n, Vec3 face) const {
+                                        Vec3 n, double gap, Vec3 face) const {
         if (dot(n, face) > facing) return std::nullopt;
         if (!seams_.empty())
-            if (const auto cover = seams_.covering_normal(triangle, n, nullptr)) return cover;
+            if (const auto cover = seams_.covering_normal(triangle, n, gap)) return cover;
         if (!is_on_border(*surface_.geometry, t, at + origin_)) return std::nullopt;
-        SeamContact contact(shape_, triangle, n, margin_);
+        SeamContact contact(shape_, triangle, n, gap);
         for_each_triangle(*surface_.geometry, box_, [&](const SurfaceTriangle& other) {
             if (other.index == t.index) return;
             const Vec3 corner[3] = {other.corner[0] - origin_, other.corner[1] - origin_,
@@ -356,7 +357,8 @@ private:
             n = face;
         } else {
             if (!is_nearest(t, at, n)) return true;
-            if (covering_normal(t, triangle_convex(corner, {}, {}), at, n, face)) {
+            if (covering_normal(t, triangle_convex(corner, {}, {}), at, n, distance - shape_.radius,
+                                face)) {
                 covered_ = true;
                 return true;
             }

@@ -43,30 +43,35 @@ void for_each_part(const TransformedShape& whole, const Aabb& box, Visit&& visit
 
 }  // namespace
 
-SeamContact::SeamContact(const Convex& shape, const Convex& piece, Vec3 normal, double margin)
+SeamContact::SeamContact(const Convex& shape, const Convex& piece, Vec3 normal, double gap)
     : shape_(shape),
       piece_(piece),
       normal_(normal),
-      margin_(margin),
       tolerance_(minimum(tuning::even_ground * size_of(shape), tuning::flush_distance)),
+      reach_(maximum(gap, 0) + tolerance_),
       height_(height_along(piece, normal)) {
-    ASSERT(is_unit(normal, 1e-5) && !(margin < 0));
+    ASSERT(is_unit(normal, 1e-5));
 }
 
 void SeamContact::test(const Convex& neighbour) {
     const double rise = height_along(neighbour, normal_) - height_;
     if (rise <= 0.1 * tolerance_) return;
     PairCache cache;
-    const double reach = margin_ + neighbour.radius + shape_.radius;
-    const Witness w = find_witness(neighbour, shape_, reach, cache);
-    if (w.distance > reach) return;
-    test(w.normal, height_along(neighbour, w.normal), rise,
-         w.distance - neighbour.radius - shape_.radius);
+    const double radii = neighbour.radius + shape_.radius;
+    const Witness w = find_witness(neighbour, shape_, reach_ + radii, cache);
+    const double gap = w.distance - radii;
+    if (gap <= reach_) test(w.normal, height_along(neighbour, w.normal), rise, gap);
+}
+
+void SeamContact::test(const Convex& neighbour, Vec3 normal, double gap) {
+    if (gap > reach_) return;
+    const double rise = height_along(neighbour, normal_) - height_;
+    if (rise > 0.1 * tolerance_) test(normal, height_along(neighbour, normal), rise, gap);
 }
 
 void SeamContact::test_plane(Vec3 normal, double offset) {
     const double gap = -height_along(shape_, -normal) - offset;
-    if (gap <= margin_) test(normal, offset, 1e300, gap);
+    if (gap <= reach_) test(normal, offset, 1e300, gap);
 }
 
 void SeamContact::test(Vec3 normal, double offset, double rise, double gap) {
@@ -79,25 +84,34 @@ void SeamContact::test(Vec3 normal, double offset, double rise, double gap) {
 
 namespace {
 
-// Tests the parts of a neighbour near the shape.
-void test_neighbour(SeamContact& contact, const TransformedShape& neighbour,
-                    const TransformedShape& shape, double margin) {
+// Tests the parts of a neighbour near the box of the shape.
+void test_neighbour(SeamContact& contact, const TransformedShape& neighbour, const Aabb& box) {
     if (const auto* plane = std::get_if<Plane>(neighbour.geometry)) {
         const Vec3 up = neighbour.axes * plane->normal;
         return contact.test_plane(up, dot(up, neighbour.position));
     }
-    for_each_part(neighbour, grow(bounds_in(neighbour, shape), margin),
+    if (is_convex(kind_of(*neighbour.geometry))) {
+        if (overlap(bounds_of(neighbour), grow(box, contact.reach())))
+            contact.test(convex_of(neighbour, {}));
+        return;
+    }
+    // The box in the frame of the neighbour.
+    const Vec3 middle = (box.low + box.high) * 0.5, half = (box.high - box.low) * 0.5;
+    const Vec3 center = transposed_times(neighbour.axes, middle - neighbour.position);
+    const Mat3 inverse = transpose(neighbour.axes);
+    const Vec3 reach = abs(inverse.x) * half.x + abs(inverse.y) * half.y + abs(inverse.z) * half.z;
+    for_each_part(neighbour, grow({center - reach, center + reach}, contact.reach()),
                   [&](const Convex& part) { contact.test(part); });
 }
 
 }  // namespace
 
-Seams::Seams(const TransformedShape& shape, const Mat3& axes, double margin)
+Seams::Seams(const TransformedShape& shape, const Mat3& axes)
     : origin_(shape.position),
       axes_(axes),
       local_{shape.geometry, {}, transpose(axes) * shape.axes},
       shape_(convex_of(local_, {})),
-      margin_(margin) {
+      box_(bounds_of(local_)) {
     ASSERT(is_convex(kind_of(*shape.geometry)));
 }
 
@@ -107,19 +121,12 @@ void Seams::add(const TransformedShape& neighbour) {
                            transpose(axes_) * neighbour.axes});
 }
 
-std::optional<Vec3> Seams::covering_normal(const Convex& piece, Vec3 normal,
-                                           const Geometry* own) const {
-    SeamContact contact(shape_, piece, normal, margin_);
-    for (const TransformedShape& neighbour : neighbours_)
-        if (neighbour.geometry != own || neighbour.position != piece.position)
-            test_neighbour(contact, neighbour, local_, margin_);
+std::optional<Vec3> Seams::covering_normal(const Convex& piece, Vec3 normal, double gap) const {
+    SeamContact contact(shape_, piece, normal, gap);
+    for (const TransformedShape& neighbour : neighbours_) test_neighbour(contact, neighbour, box_);
     return contact.covering_normal();
 }
 
-namespace {
-
-// The contact of a piece with a shape along a neighbour's normal n. It has no points if no part of
-// the piece lies flush with the neighbour below the shape.
 Manifold contact_along(const Convex& piece, const Convex& shape, Vec3 n, double margin) {
     const Feature face = feature_along(piece, n);
     if (face.count < 3 || dot(face.normal, n) < tuning::same_piece) return {};
@@ -127,16 +134,18 @@ Manifold contact_along(const Convex& piece, const Convex& shape, Vec3 n, double 
                        minimum(size_of(piece), size_of(shape)));
 }
 
+namespace {
+
 // `m`: the manifold of a piece and a shape; its normal points to the shape.
 bool apply_seams(Manifold& m, const TransformedShape& piece, const TransformedShape& shape,
                  const std::vector<TransformedShape>& neighbours, double margin) {
     if (m.count == 0 || neighbours.empty() || !is_convex(kind_of(*piece.geometry)) ||
         !is_convex(kind_of(*shape.geometry)))
         return false;
-    Seams seams(shape, Mat3{}, margin);
+    Seams seams(shape, Mat3{});
     for (const TransformedShape& neighbour : neighbours) seams.add(neighbour);
     const Convex core = convex_of(piece, shape.position);
-    const auto n = seams.covering_normal(core, m.normal, piece.geometry);
+    const auto n = seams.covering_normal(core, m.normal, m.distance);
     if (!n) return false;
     const Manifold along = contact_along(core, convex_of(shape, shape.position), *n, margin);
     m.count = 0;  // retains the direction of the separation and its distance
@@ -177,13 +186,14 @@ bool is_covered(const TransformedShape& floor, const TransformedShape& shape, Ve
                 Vec3 normal, const std::vector<TransformedShape>& neighbours, double margin) {
     if (kind_of(*floor.geometry) == ShapeKind::plane) return false;
     bool covered = false, uncovered = false;
+    const Aabb box =
+        bounds_of(TransformedShape{shape.geometry, shape.position - point, shape.axes});
     for_each_part_at(shape, point, margin, [&](const Convex& moving) {
         for_each_part_at(floor, point, margin, [&](const Convex& piece) {
             SeamContact contact(moving, piece, normal, margin);
             for (const TransformedShape& neighbour : neighbours)
-                test_neighbour(contact,
-                               {neighbour.geometry, neighbour.position - point, neighbour.axes},
-                               {shape.geometry, shape.position - point, shape.axes}, margin);
+                test_neighbour(
+                    contact, {neighbour.geometry, neighbour.position - point, neighbour.axes}, box);
             (contact.covering_normal() ? covered : uncovered) = true;
         });
     });

@@ -17,6 +17,7 @@
 #include <optional>
 #include <vector>
 
+#include "jostle/physics/aabb.h"
 #include "physics/src/collision/narrowphase/manifold.h"
 #include "physics/src/geometry/support.h"
 #include "physics/src/geometry/transformed_shape.h"
@@ -40,14 +41,21 @@ bool apply_seams(Manifold& manifold, const TransformedShape& a, const Transforme
 bool is_covered(const TransformedShape& floor, const TransformedShape& shape, Vec3 point,
                 Vec3 normal, const std::vector<TransformedShape>& neighbours, double margin);
 
-// A contact of a shape with a convex piece, in any common frame. Only pieces that the shape may
-// touch within `margin` metres cover it.
+// The contact points of a piece with a shape along a neighbour's normal, relative to the common
+// origin. There are none if no part of the piece lies flush with the neighbour below the shape.
+Manifold contact_along(const Convex& piece, const Convex& shape, Vec3 normal, double margin);
+
+// A contact of a shape with a convex piece that is `gap` metres away, in any common frame. Only
+// pieces that are not further away cover it.
 class SeamContact {
 public:
-    SeamContact(const Convex& shape, const Convex& piece, Vec3 normal, double margin);
+    SeamContact(const Convex& shape, const Convex& piece, Vec3 normal, double gap);
 
+    double reach() const { return reach_; }  // m: maximum distance of pieces that may cover it
     // Tests whether a neighbouring piece covers the contact.
     void test(const Convex& neighbour);
+    // The same for a piece whose contact with the shape is known.
+    void test(const Convex& neighbour, Vec3 normal, double gap);
     void test_plane(Vec3 normal, double offset);
     // The normal of the piece that covers the contact. Of several, the nearest one: the others may
     // be covered themselves.
@@ -58,7 +66,7 @@ private:
 
     const Convex &shape_, &piece_;
     Vec3 normal_;
-    double margin_, tolerance_;
+    double tolerance_, reach_;
     double height_;  // m: of the piece along the normal
     std::optional<Vec3> covering_;
     double covering_gap_ = 1e300;  // m
@@ -68,23 +76,21 @@ private:
 class Seams {
 public:
     // Contacts are given in a frame with these axes whose origin is the shape's position.
-    Seams(const TransformedShape& shape, const Mat3& axes, double margin);
+    Seams(const TransformedShape& shape, const Mat3& axes);
 
     // Adds a neighbour of any kind, in world coordinates.
     void add(const TransformedShape& neighbour);
     bool empty() const { return neighbours_.empty(); }
 
-    // The normal of a neighbour that covers the contact of the shape with a piece. `own` is the
-    // geometry of that piece, which does not cover itself; null if it is not among the neighbours.
-    std::optional<Vec3> covering_normal(const Convex& piece, Vec3 normal,
-                                        const Geometry* own) const;
+    // The normal of a neighbour that covers the contact of the shape with a piece.
+    std::optional<Vec3> covering_normal(const Convex& piece, Vec3 normal, double gap) const;
 
 private:
     Vec3 origin_;
     Mat3 axes_;
     TransformedShape local_;
     Convex shape_;
-    double margin_;
+    Aabb box_;
     std::vector<TransformedShape> neighbours_;  // in the frame of the contacts
 };
 

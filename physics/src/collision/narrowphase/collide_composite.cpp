@@ -7,6 +7,7 @@
 #include "jostle/physics/compound.h"
 #include "physics/src/collision/narrowphase/collide.h"
 #include "physics/src/collision/narrowphase/collide_surface.h"
+#include "physics/src/foundation/tuning.h"
 #include "physics/src/geometry/bvh.h"
 #include "physics/src/geometry/shape_measures.h"
 
@@ -122,6 +123,17 @@ SeamSide side_of(const PartPair& pair, std::uint64_t key, bool of_b) {
     return {&pair.a, &pair.b, low, pair.manifold.normal};
 }
 
+// Returns whether another part touches the same shape along another normal: cheap rejection.
+bool has_neighbour(const std::vector<PartPair>& pairs, const PartPair& own, const SeamSide& side,
+                   bool of_b, const std::vector<ChildManifold>& out) {
+    const double reach = maximum(own.manifold.distance, 0) + tuning::flush_distance;
+    return std::any_of(pairs.begin(), pairs.end(), [&](const PartPair& other) {
+        if (&other == &own || other.manifold.distance > reach) return false;
+        const SeamSide next = side_of(other, out[other.index].key, of_b);
+        return next.shape_number == side.shape_number && dot(next.normal, side.normal) < 1 - 1e-9;
+    });
+}
+
 // Parts of one compound are neighbours. Changes the manifolds that other parts cover; returns
 // whether there are any.
 bool apply_seams_of_parts(const std::vector<PartPair>& pairs, double margin,
@@ -131,6 +143,7 @@ bool apply_seams_of_parts(const std::vector<PartPair>& pairs, double margin,
         for (const bool of_b : {true, false}) {
             ChildManifold& child = out[own.index];
             const SeamSide side = side_of(own, child.key, of_b);
+            if (!has_neighbour(pairs, own, side, of_b, out)) continue;
             const Vec3 origin = side.shape->position;
             const Convex shape = convex_of(*side.shape, origin),
                          piece = convex_of(*side.piece, origin);

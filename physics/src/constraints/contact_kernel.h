@@ -115,6 +115,7 @@ template <PairKind kPair, Inertia kInertia>
 struct PairBodies {
     WideSide a, b;
     Wide3 n, t1, t2, arm_a, arm_b;
+    Wide3 arm_now;  // of a kinematic body b at the current poses, set by follow()
 
     JOSTLE_INLINE PairBodies(const ContactConstraintWide& m, const SolverBody* bodies) {
         load_side(a, bodies, m.a);
@@ -141,12 +142,21 @@ struct PairBodies {
 
     // Moves the arms to the poses of the current sub-step and to a common world point. Impulses on
     // both bodies then act along the same line, and angular momentum is conserved.
-    JOSTLE_INLINE PairMotion follow(const ContactConstraintWide& m) {
+    //
+    // The surface of a kinematic body moves with a point that depends on where body a is. It is
+    // taken in the middle of a sub-step, `ahead` seconds after the current poses: the velocity at
+    // either end of a sub-step would carry a body on a carousel outwards or inwards by w^2 r h / 2
+    // per second.
+    JOSTLE_INLINE PairMotion follow(const ContactConstraintWide& m, float ahead) {
         Wide3 dp_a, dr_a, dp_b{}, dr_b{};
         load_motion(a, dp_a, dr_a);
         if constexpr (kPair != PairKind::static_) load_motion(b, dp_b, dr_b);
         const Wide3 moved = relative(dp_a, dr_a, dp_b, dr_b);
         if constexpr (kPair == PairKind::static_) return {moved, -dr_a, dr_a};
+        if constexpr (kPair == PairKind::kinematic) {
+            arm_now = arm_b + (dp_a - dp_b);
+            arm_b = fma(a.v - b.v, splat(ahead), arm_now);
+        }
         if constexpr (kPair == PairKind::dynamic) {
             // Skipped for bodies whose relative motion exceeds the length of the arms.
             const Wide3 displacement = dp_b - dp_a;
@@ -405,15 +415,16 @@ inline WideScale scale_of(const ContactConstraintWideMeta& meta, float gravity_r
 }
 
 // kRelax: rigid, without push-out, with friction. kLast: the relaxing pass that ends the step. It
-// also moves the gaps to the new poses and reports lanes that moved too far to be reused and lanes
-// with normal impulse. kPoints: 4, or 1 for blocks of single-point manifolds, whose point is at the
-// centre.
+// also moves the gaps and the arms of kinematic bodies to the new poses and reports lanes that
+// moved too far to be reused and lanes with normal impulse. kPoints: 4, or 1 for blocks of
+// single-point manifolds, whose point is at the centre.
 template <int kPoints, PairKind kPair, Inertia kInertia, bool kRelax, bool kLast>
 PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta,
                        RollingWide* rolling, SolverBody* bodies, const ContactSettings& set,
                        int sweeps) {
     PairBodies<kPair, kInertia> pair(m, bodies);
-    const PairMotion motion = pair.follow(m);
+    // The relaxing pass follows the advance of the bodies.
+    const PairMotion motion = pair.follow(m, kRelax ? -0.5f * set.h : 0.5f * set.h);
     const Wide zero = splat(0);
     // Friction comes before the normals, with the limit of the soft pass. The normals are solved
     // last, so they hold exactly.
@@ -547,6 +558,11 @@ PairReport solve_block(ContactConstraintWide& m, ContactConstraintWideMeta& meta
     pair.store();
 
     PairReport report;
+    if constexpr (kLast && kPair == PairKind::kinematic) {
+        store(m.arm_b[0], pair.arm_now.x);
+        store(m.arm_b[1], pair.arm_now.y);
+        store(m.arm_b[2], pair.arm_now.z);
+    }
     if constexpr (kLast) {
         // Low islands remember the force of each point. Slender islands remember only the total
         // force of the manifold, not its moments, which would let stacks sway with growing
@@ -654,7 +670,8 @@ template <PairKind kPair, Inertia kInertia>
 void apply_restitution(ContactConstraintWide& m, const RestitutionWide& restitution_wide,
                        const float* restitution, SolverBody* bodies, const ContactSettings& set) {
     PairBodies<kPair, kInertia> pair(m, bodies);
-    pair.follow(m);
+    // The last pass has moved the arms of kinematic bodies to the poses at the end of the step.
+    if constexpr (kPair == PairKind::dynamic) pair.follow(m, 0);
     const Wide3 u = pair.relative_velocity(), w = pair.relative_spin();
     Wide u0 = dot(pair.n, u), u1 = dot(pair.t1, w), u2 = dot(pair.t2, w);
     WideImpulse sum;

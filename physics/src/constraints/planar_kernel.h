@@ -95,6 +95,25 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
                         RollingWide* rolling, SolverBody* bodies, const ContactSettings& set) {
     PlanarBodies<kPair> pair(m, bodies);
     const Wide zero = splat(0);
+    // The motion of the bodies since the start of the step.
+    const auto motion = [](const PlanarSide& s, Wide& dx, Wide& dy, Wide& dr) {
+        Wide t[8];
+        load_rows(s.rows, 8, t);
+        dx = t[0];
+        dy = t[1];
+        dr = t[5];
+    };
+    Wide dax, day, dar, dbx = zero, dby = zero, dbr = zero, mx, my, rotated;
+    motion(pair.a, dax, day, dar);
+    if constexpr (kPair != PairKind::static_) motion(pair.b, dbx, dby, dbr);
+    pair.relative(dax, day, dar, dbx, dby, dbr, mx, my, rotated);
+    // The arm of a kinematic body in the middle of the sub-step, as in PairBodies::follow().
+    const Wide bx = pair.bx + (dax - dbx), by = pair.by + (day - dby);
+    if constexpr (kPair == PairKind::kinematic) {
+        const Wide ahead = splat(kRelax ? -0.5f * set.h : 0.5f * set.h);
+        pair.bx = fma(pair.a.vx - pair.b.vx, ahead, bx);
+        pair.by = fma(pair.a.vy - pair.b.vy, ahead, by);
+    }
     Wide ux, uy, w;
     const auto velocities = [&] {
         if constexpr (kPair == PairKind::static_)
@@ -132,18 +151,6 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
     const Wide pressed = pressing();
     if constexpr (kRelax) slips = solve_friction(zero >= zero);
 
-    // The motion of the bodies since the start of the step.
-    const auto motion = [](const PlanarSide& s, Wide& dx, Wide& dy, Wide& dr) {
-        Wide t[8];
-        load_rows(s.rows, 8, t);
-        dx = t[0];
-        dy = t[1];
-        dr = t[5];
-    };
-    Wide dax, day, dar, dbx = zero, dby = zero, dbr = zero, mx, my, rotated;
-    motion(pair.a, dax, day, dar);
-    if constexpr (kPair != PairKind::static_) motion(pair.b, dbx, dby, dbr);
-    pair.relative(dax, day, dar, dbx, dby, dbr, mx, my, rotated);
     const Wide s0 = pair.nx * mx + pair.ny * my, s2 = pair.z_sign * rotated;
 
     velocities();
@@ -214,6 +221,10 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
     pair.store();
 
     PairReport report;
+    if constexpr (kLast && kPair == PairKind::kinematic) {
+        store(m.arm_b[0], bx);
+        store(m.arm_b[1], by);
+    }
     if constexpr (kLast) {
         store(m.gap[0], gap0);
         store(m.gap[1], gap1);

@@ -123,11 +123,13 @@ Skipped quarantine(StepContext& step);
 // scratch.
 Skipped update_sleep(StepContext& step);
 
-// Determines which shapes overlap which triggers, after all motion. Runs after the trees are
-// updated (ThreadPool::finish() in step_world).
+// Determines which shapes overlap which triggers at the end of the step, or did so within it. Runs
+// after all motion, and after the trees are updated (ThreadPool::finish() in step_world). Shapes
+// that moved far are found by the boxes around their paths, all others by the trees.
 //
-// Reads: current shapes, the broad phases, the TriggerStore of the previous step. Writes:
-// TriggerStore, and trigger events. Leaves nothing in scratch.
+// Reads: current shapes, the broad phases, FinalizeScratch::path_starts,
+// ContinuousScratch::changed, the TriggerStore of the previous step. Writes: TriggerStore, and
+// trigger events. Leaves nothing in scratch.
 Skipped update_triggers(StepContext& step);
 
 // The last stage: makes events available through World::events(), each list sorted by ids.

@@ -43,7 +43,23 @@ struct IslandScratch {
     std::array<std::uint8_t, solved_set_count> unknown{};
 };
 
-// Scratch data that update_pairs and update_triggers reuse from step to step.
+// Scratch data of update_triggers.
+//
+// A shape with the box around its path of the step.
+struct ShapePath {
+    std::uint32_t shape = 0;
+    Aabb box;  // not for planes
+};
+
+struct TriggerScratch {
+    std::vector<std::uint32_t> near;        // shapes, of one query
+    std::vector<ShapePath> triggers, far;   // far: shapes that may have left their fat box
+    std::vector<Inside> pairs;              // that may overlap, ascending
+    std::vector<std::uint8_t> presence;     // by pair
+    std::vector<const ToiBody*> deflected;  // by body; null: not deflected by an impact
+};
+
+// Scratch data that update_pairs reuses from step to step.
 //
 // Results of one grain of update_pairs, a range of the moved shapes.
 struct NewPairs {
@@ -52,8 +68,8 @@ struct NewPairs {
 };
 
 struct PairScratch {
-    std::vector<NewPairs> new_pairs;        // by grain; the first one finally holds all pairs
-    std::vector<std::uint32_t> in_trigger;  // shapes, of one query of update_triggers
+    std::vector<NewPairs> new_pairs;  // by grain; the first one finally holds all pairs
+    TriggerScratch triggers;
 };
 
 // Scratch data that update_sleep and put_parts_to_sleep reuse from step to step. No later stage

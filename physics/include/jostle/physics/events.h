@@ -53,7 +53,7 @@ struct ContactHit {
 };
 
 /// A shape that is inside a trigger, entered it, or left it. Destroying the shape or the trigger
-/// counts as leaving.
+/// counts as leaving. A shape that passes through within a step both entered and left in that step.
 struct TriggerEvent {
     ShapeId trigger, shape;     ///< the trigger and the shape inside it
     BodyId trigger_body, body;  ///< their bodies

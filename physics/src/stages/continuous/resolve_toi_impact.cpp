@@ -142,8 +142,10 @@ std::optional<std::size_t> continue_after(ToiState& state, const ResolvedImpact&
     if (after.inverse_mass == Vec3{} && after.inverse_inertia == diagonal({0, 0, 0}))
         return std::nullopt;
     const std::uint32_t body = deflected.body, known = state.index_of(body);
+    const Sweep path = sweep_of(state, body);
     const std::size_t index = known == none ? add_toi_body(state, body, false) : known;
     ToiBody& t = state.bodies[index];
+    t.sweep = path;
     const BodyCold& cold = state.world.bodies.cold[body];
     if (impact.bounced) {
         t.fast |= cold.continuous;  // it may bounce off another body next

@@ -51,6 +51,13 @@ void start_leg(const WorldState& world, ToiBody& t, double dt) {
                  : Vec3{};
 }
 
+// Ends the current sweep at a fraction of the step.
+void record_path(const WorldState& world, ToiBody& t, double fraction) {
+    if (world.shapes.triggers.empty() || fraction <= t.sweep.from) return;
+    t.past.push_back(t.sweep);
+    t.past.back().until = fraction;
+}
+
 }  // namespace
 
 Sweep even_sweep(const BodyWarm& previous, const BodyWarm& now, double dt) {
@@ -114,6 +121,7 @@ void next_leg(const WorldState& world, ToiBody& t, double dt) {
     const double at = t.sweep.until;
     ASSERT(at < 1);
     t.legs++;
+    record_path(world, t, at);
     const FreeSpin free = spin_at(world, t, at, dt);
     t.velocity += t.gain * (at - t.sweep.from);
     t.sweep.center = center_at(t.sweep, at);
@@ -128,6 +136,7 @@ void depart(const WorldState& world, ToiBody& t, double fraction, const Departur
     const BodyCold& cold = world.bodies.cold[t.body];
     ASSERT(cold.type == BodyType::dynamic && fraction >= 0 && fraction <= 1);
     const double left = 1 - fraction, time = left * dt;
+    record_path(world, t, fraction);
     // From here on the body flies freely, even if it was held before. The next step's contacts take
     // over.
     const FreeSpin free = time > 0 ? spin_of(world, t.body, from.rotation, from.w, time)

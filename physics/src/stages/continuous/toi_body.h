@@ -40,6 +40,7 @@ struct ToiBody {
     bool changed = false;  // its pose or velocity differs from the result of the step
     int impacts = 0;
     int legs = 0;                         // number of completed legs
+    std::vector<Sweep> past;              // its path before the sweep, in a world with triggers
     int impact_chain_length = 0;          // number of its impacts, found by it or by another body
     bool checked = false;                 // the impact below is the first on its path
     bool queued = false;                  // in the queue of bodies to be swept

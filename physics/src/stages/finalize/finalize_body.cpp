@@ -82,7 +82,10 @@ bool was_deflected(const FreeMotion& motion, Quat turn, const BodyCold& cold, do
 }  // namespace
 
 void begin_finalize(const BodyStore& bodies, const std::vector<std::uint32_t>& bouncing,
-                    FinalizeScratch& scratch) {
+                    bool records_paths, FinalizeScratch& scratch) {
+    scratch.path_starts.resize(records_paths ? bodies.cold.size() : 0);
+    if (records_paths)
+        for (const BodyWarm& warm : bodies.awake) scratch.path_bodies.push_back(warm.body);
     scratch.left_fat_aabb.assign(bodies.awake.size(), 0);
     scratch.not_finite.assign(bodies.awake.size(), 0);
     scratch.fast.assign(bodies.awake.size(), 0);
@@ -125,7 +128,10 @@ void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotio
     const double turned = maximum(angle, length(motion.w) * step.dt) * cold.radius;
     const double displacement = length(motion.displacement) + turned;
     const bool bounces = scratch.bouncing[awake_index] != 0;
-    if (cold.continuous && (bounces || displacement > tuning::sweep_fraction * cold.inner_radius)) {
+    const bool far = displacement > tuning::sweep_fraction * cold.inner_radius;
+    if (!scratch.path_starts.empty())
+        scratch.path_starts[warm.body] = {warm.center, warm.rotation, true, far};
+    if (cold.continuous && (bounces || far)) {
         scratch.previous[awake_index] = warm;
         scratch.fast[awake_index] = 1;
         scratch.any_fast = 1;
@@ -149,6 +155,7 @@ void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotio
         note_rest(world, warm, cold, motion, turn, step.dt);
     if (!left_fat_aabb(world.shapes, bound, warm, cold, step.dt)) return;
     scratch.left_fat_aabb[awake_index] = 1;
+    if (!scratch.path_starts.empty()) scratch.path_starts[warm.body].far = true;
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
         enlarge_aabb(world.bodies, world.shapes, s, warm, step.dt);
 }

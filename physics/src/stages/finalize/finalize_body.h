@@ -15,9 +15,10 @@
 namespace jostle::physics {
 
 // Allocates the flags of all awake bodies. Call serially, before the first finalize_body of a step.
-// `bouncing`: ContactScratch::bouncing.
+// `bouncing`: ContactScratch::bouncing. `records_paths`: whether to fill
+// FinalizeScratch::path_starts.
 void begin_finalize(const BodyStore& bodies, const std::vector<std::uint32_t>& bouncing,
-                    FinalizeScratch& scratch);
+                    bool records_paths, FinalizeScratch& scratch);
 
 // Rejects a state that is not finite, or too fast or too far away (tuning.h): the body stays at its
 // previous pose, at rest, and is flagged for quarantine.

@@ -13,6 +13,15 @@
 
 namespace jostle::physics {
 
+// The pose of a body before the step.
+struct PathStart {
+    Vec3 center;  // m
+    Quat rotation;
+    bool moved = false;  // the other fields are valid
+    // It may have left the fat boxes that the trees contain: it moved far, or left them.
+    bool far = false;
+};
+
 struct FinalizeScratch {
     // Flags, by awake body.
     std::vector<std::uint8_t> left_fat_aabb;  // one of its shapes left its fat box
@@ -25,6 +34,9 @@ struct FinalizeScratch {
     std::vector<std::uint8_t> bouncing;  // ContactScratch::bouncing, by awake body
     // By awake body: its record before the step, if it is fast or deflected.
     std::vector<BodyWarm> previous;
+    // For update_triggers, which resets them; empty in a world without triggers.
+    std::vector<PathStart> path_starts;      // by body
+    std::vector<std::uint32_t> path_bodies;  // that may have an entry
 
     std::atomic<int> any_fast = 0;
     // Free bodies that are integrated by sub-steps: their current motions and awake indices.

@@ -127,7 +127,8 @@ Skipped integrate_free(StepContext& step) {
     ASSERT(step.scratch.solver.free.size() + step.scratch.solver.bodies.all.size() +
                groups.awake.size() + world.bodies.asleep_in_place ==
            world.bodies.awake.size());
-    begin_finalize(world.bodies, step.scratch.contacts.bouncing, step.scratch.finalize);
+    begin_finalize(world.bodies, step.scratch.contacts.bouncing, !world.shapes.triggers.empty(),
+                   step.scratch.finalize);
     for (std::size_t k = 0; k < groups.awake.size(); k++)
         finalize_body(step, groups.awake[k], groups.motions[k]);
     std::vector<std::uint32_t> others;

@@ -33,7 +33,7 @@ struct Step {
     void move(Vec3 v) { finalize(FreeMotion{v * dt, warm().rotation, v, {}}); }
     void finalize(const FreeMotion& motion) {
         StepContext step{state, scratch, *state.thread_pool, dt, {}};
-        begin_finalize(state.bodies, {}, scratch.finalize);
+        begin_finalize(state.bodies, {}, false, scratch.finalize);
         finalize_body(step, 0, motion);
     }
 };

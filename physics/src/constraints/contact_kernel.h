@@ -389,12 +389,12 @@ JOSTLE_INLINE WideMask is_pushed_out(Wide gap, const ContactSettings& set) {
     return (gap + splat(set.slop)) * splat(set.bias_rate) < splat(-fall);
 }
 
-// Whether the bodies move faster along their contact than bodies that rest.
+// Whether the bodies move faster along their contact than bodies that may count as resting.
 template <PairKind kPair, Inertia kInertia>
 JOSTLE_INLINE WideMask is_sliding(const PairBodies<kPair, kInertia>& pair) {
     const Wide3 u = pair.relative_velocity();
     const Wide u1 = dot(pair.t1, u), u2 = dot(pair.t2, u);
-    constexpr auto least = static_cast<float>(2 * tuning::sleep_speed);
+    constexpr auto least = static_cast<float>(tuning::drift_speed);
     return fma(u2, u2, u1 * u1) > splat(least * least);
 }
 

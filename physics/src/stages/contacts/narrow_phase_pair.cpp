@@ -274,6 +274,22 @@ Manifold predicted_manifold(const StepContext& step, Contact& c) {
     return within(margin, pair);
 }
 
+// Bodies that cannot rotate need one point: the deepest.
+bool needs_one_point(const BodyStore& bodies, const Contact& c) {
+    const BodyCold &a = bodies.cold[c.body_a], &b = bodies.cold[c.body_b];
+    return !can_rotate(a) && b.type != BodyType::kinematic &&
+           (b.type == BodyType::static_body || !can_rotate(b));
+}
+
+void keep_deepest_point(Manifold& m) {
+    int deepest = 0;
+    for (int i = 1; i < m.count; i++)
+        if (m.gap[i] < m.gap[deepest]) deepest = i;
+    m.point[0] = m.point[deepest];
+    m.gap[0] = m.gap[deepest];
+    m.count = 1;
+}
+
 // For a pair that is about to bounce: update_touching decides whether it is in a cluster, in which
 // case the contact solver handles the manifold.
 void defer_to_clusters(StepContext& step, NarrowPhaseTask& task, const Manifold& manifold) {
@@ -302,6 +318,7 @@ void narrow_phase_pair(StepContext& step, NarrowPhaseTask& task) {
     c.queued = false;
     if (c.composite) return narrow_phase_composite(step, task);
     Manifold manifold = predicted_manifold(step, c);
+    if (manifold.count > 1 && needs_one_point(world.bodies, c)) keep_deepest_point(manifold);
     if (bounces(world, c.shape_a, c.shape_b)) {
         task.bounces = will_bounce(step, c, manifold, c.touching);
         if (task.bounces) return defer_to_clusters(step, task, manifold);

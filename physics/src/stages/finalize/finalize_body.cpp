@@ -53,12 +53,17 @@ void note_rest(const WorldState& world, BodyWarm& warm, const BodyCold& cold,
                const FreeMotion& motion, Quat turn, double dt) {
     if (warm.sleep_time == 0) warm.drift = warm.drift_turn = {};
     const Vec3 turned = Vec3{turn.x, turn.y, turn.z} * (turn.w < 0 ? -2.0 : 2.0);
-    const double now = swing(warm, cold, turned), next = swing(warm, cold, motion.w * dt);
-    const double displacement = maximum(length(motion.displacement), maximum(now, next));
     warm.drift += motion.displacement;
     warm.drift_turn += turned;
-    const double length_scale = size_scale(cold.radius);
     const double slow = speed_scale(cold.radius, gravity_ratio_squared(world.def.gravity));
+    const double moved = length(motion.displacement);
+    if (moved >= maximum(tuning::sleep_speed, tuning::drift_speed) * slow * dt) {
+        warm.sleep_time = 0;
+        return;
+    }
+    const double now = swing(warm, cold, turned), next = swing(warm, cold, motion.w * dt);
+    const double displacement = maximum(moved, maximum(now, next));
+    const double length_scale = size_scale(cold.radius);
     const bool still = displacement < tuning::sleep_speed * slow * dt;
     const bool sways =
         displacement < tuning::drift_speed * slow * dt &&

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "jostle/base/nearest_name.h"
 #include "jostle/physics/module.h"
 #include "jostle/scenes/catalog.h"
 #include "jostle/v1/scene.pb.h"
@@ -49,8 +50,8 @@ void check_tag(FieldReader& in, const SceneDescription& scene, const std::string
     if (std::find(known.begin(), known.end(), tag) != known.end()) return;
     std::string names;
     for (const std::string& name : known) names += (names.empty() ? "" : ", ") + name;
-    in.report_error(path,
-                    "is \"" + tag + "\"; it must be one of " + (names.empty() ? "none" : names));
+    in.report_error(path, "is \"" + tag + "\"; it must be one of " +
+                              (names.empty() ? "none" : names) + did_you_mean(tag, known));
 }
 
 // Returns the field that contains the module's objects; null if there is none.

@@ -259,7 +259,9 @@ std::string with_positions(std::string_view text, const std::string& parent,
     std::istringstream lines(errors);
     std::string out;
     for (std::string line; std::getline(lines, line);) {
-        const std::string path = line.substr(0, line.find(": "));
+        std::string path = line.substr(0, line.find(": "));
+        // Modules have no repeats, so their index in the world is that in the text.
+        if (path.starts_with("modules[")) path = path.substr(0, path.find(" '"));
         const JsonPath steps = parse_json_path(parent + path);
         const std::string position = position_of(text, steps);
         out += (out.empty() ? "" : "\n") + position + (position.empty() ? "" : parent) + line;

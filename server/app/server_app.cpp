@@ -290,7 +290,7 @@ void ServerApp::Impl::run() {
         *authorizer_, certificates_.get(),
         [this] {
             remove_expired_clients(*context_, Clock::now());
-            admin_control_->remove_idle_backup(Clock::now());
+            admin_control_->remove_idle_downloads(Clock::now());
             static_cast<void>(failure_reason());  // also faults that nobody asks for begin to last
         },
         [this] { return !failure_reason(); });

@@ -35,6 +35,7 @@ constexpr AccessRow table[] = {
     {"jostle.v1.AdminService/SetPaused", admin, Role::admin, any_world},
     {"jostle.v1.AdminService/StepWorld", admin, Role::admin, any_world},
     {"jostle.v1.AdminService/ExportWorld", admin, Role::admin, any_world},
+    {"jostle.v1.AdminService/DownloadWorld", admin, Role::admin, any_world},
     {"jostle.v1.AdminService/RemoveBodies", admin, Role::admin, any_world},
     {"jostle.v1.AdminService/RewindWorld", admin, Role::admin, any_world},
     {"jostle.v1.AdminService/UndoClient", admin, Role::admin, any_world},

@@ -72,6 +72,9 @@ struct TickSettings {
     // unlimited. Inputs beyond it wait for later ticks, at most this long.
     double input_share = 0.25;
     double input_wait_seconds_max = 0.5;
+    // Share of the tick period for copies of the world that queries are evaluated against; 0:
+    // unlimited. Beyond it, the world is copied in fewer ticks, and queries see an older state.
+    double query_copy_share = 0.1;
     // Processor time of the tick thread. A tick that uses more is interrupted and its world is
     // paused for a while, so that it does not delay other worlds.
     double step_seconds_max = 1;
@@ -119,6 +122,9 @@ struct QuotaSettings {
     double creates_per_minute = 20;
     double joins_per_minute = 120;
     double queries_per_second = 100;
+    // Share of one processor for all queries, divided evenly among the players that send some; 0:
+    // unlimited.
+    double query_share = 0.5;
     // limits per address are this factor higher, because several people may share an address
     double address_factor = 10;
     // per address; beyond it, its tokens are rejected unread

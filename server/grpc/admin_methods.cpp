@@ -102,6 +102,8 @@ std::vector<CallMethod> admin_methods(AdminControl& control, const WorldDirector
                    &AdminControl::step_world),
         world_call(control, worlds, "ExportWorld", CallWork::blocking, Audit::no,
                    &AdminControl::export_world),
+        world_call(control, worlds, "DownloadWorld", CallWork::blocking, Audit::no,
+                   &AdminControl::download_world),
         world_call(control, worlds, "RemoveBodies", CallWork::blocking, Audit::yes,
                    &AdminControl::remove_bodies),
         world_call(control, worlds, "RewindWorld", CallWork::blocking, Audit::yes,

@@ -4,8 +4,10 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <numeric>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "google/rpc/error_details.pb.h"
@@ -19,6 +21,9 @@ namespace {
 
 constexpr int retry_ms = 1000;            // if a limit was reached
 constexpr int retry_elsewhere_ms = 5000;  // if the server shuts down or a world is busy
+// gRPC clients reject a response with more than 8 KiB of metadata.
+constexpr std::size_t trailers_bytes_max = 7500;
+constexpr std::size_t message_bytes_max = 4500;  // of them
 
 std::string_view reason_of(ErrorCode code) {
     switch (code) {
@@ -64,15 +69,68 @@ std::string_view field_of(std::string_view message) {
     return is_field ? message.substr(0, end) : std::string_view{};
 }
 
+// "line 3, column 5: " before the path of a field in a text.
+std::string_view without_position(std::string_view line) {
+    if (!line.starts_with("line ")) return line;
+    const std::size_t end = line.find(": ");
+    return end == std::string_view::npos ? line : line.substr(end + 2);
+}
+
+// Size of the message in the trailers, which encode other characters as %XX.
+std::size_t encoded_size(std::string_view message) {
+    return static_cast<std::size_t>(std::accumulate(
+        message.begin(), message.end(), std::size_t{0},
+        [](std::size_t sum, char c) { return sum + (c >= ' ' && c <= '~' && c != '%' ? 1 : 3); }));
+}
+
+// The last lines are removed from a message that does not fit into the trailers.
+std::string fitting_message(std::string message) {
+    if (encoded_size(message) <= message_bytes_max) return message;
+    while (encoded_size(message) > message_bytes_max) {
+        const std::size_t end = message.rfind('\n');
+        message.resize(end == std::string::npos ? message_bytes_max / 3 : end);
+    }
+    // No part of a character of UTF-8, whose further bytes are 10xxxxxx.
+    while (!message.empty() && (static_cast<unsigned char>(message.back()) & 0x80) != 0)
+        message.pop_back();
+    return message + "\nmore errors may follow";
+}
+
+// What remains in the trailers for violations. Details are sent in base64.
+std::size_t violation_bytes(const Error& error, const google::rpc::Status& rich) {
+    const std::size_t details_max = (trailers_bytes_max - encoded_size(error.message)) / 4 * 3;
+    const std::size_t used = rich.ByteSizeLong() + 100;  // name of the type
+    return details_max - std::min(details_max, used);
+}
+
+// One entry for each line of the message that is about a field, as far as they fit.
+google::rpc::BadRequest violations_of(std::string_view message, std::size_t bytes_max) {
+    google::rpc::BadRequest violations;
+    while (!message.empty()) {
+        const std::string_view line = message.substr(0, message.find('\n'));
+        message.remove_prefix(std::min(message.size(), line.size() + 1));
+        const std::string_view field = field_of(without_position(line));
+        if (field.empty()) continue;
+        google::rpc::BadRequest::FieldViolation& violation = *violations.add_field_violations();
+        violation.set_field(std::string(field));
+        violation.set_description(std::string(line));
+        if (violations.ByteSizeLong() <= bytes_max) continue;
+        violations.mutable_field_violations()->RemoveLast();
+        break;
+    }
+    return violations;
+}
+
 }  // namespace
 
 grpc::Status to_rich_status(const Status& status) {
-    const grpc::Status plain = to_grpc(status);
-    if (status.ok()) return plain;
-    const Error& error = status.error();
+    if (status.ok()) return to_grpc(status);
+    Error error = status.error();
+    error.message = fitting_message(std::move(error.message));
+    const grpc::Status plain = to_grpc(error);
     google::rpc::Status rich;
     rich.set_code(plain.error_code());
-    rich.set_message(error.message);
+    rich.set_message(error.message.substr(0, error.message.find('\n')));
     google::rpc::ErrorInfo info;
     info.set_reason(std::string(reason_of(error.code)));
     info.set_domain("jostle");
@@ -86,13 +144,10 @@ grpc::Status to_rich_status(const Status& status) {
         retry.mutable_retry_delay()->set_nanos(ms % 1000 * 1'000'000);
         rich.add_details()->PackFrom(retry);
     }
-    if (const auto field = field_of(error.message);
-        !field.empty() && error.code == ErrorCode::invalid_argument) {
-        google::rpc::BadRequest wrong;
-        wrong.add_field_violations()->set_field(std::string(field));
-        wrong.mutable_field_violations(0)->set_description(error.message);
-        rich.add_details()->PackFrom(wrong);
-    }
+    if (error.code == ErrorCode::invalid_argument)
+        if (const auto wrong = violations_of(error.message, violation_bytes(error, rich));
+            wrong.field_violations_size() > 0)
+            rich.add_details()->PackFrom(wrong);
     return {plain.error_code(), plain.error_message(), rich.SerializeAsString()};
 }
 

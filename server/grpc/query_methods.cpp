@@ -5,6 +5,7 @@
 #include <mutex>
 
 #include "jostle/v1/query.pb.h"
+#include "server/limits/account.h"
 
 namespace jostle::server {
 
@@ -13,16 +14,32 @@ namespace {
 // A hundred hulls of a thousand points.
 constexpr std::size_t query_request_bytes_max = 4 * 1024 * 1024;
 
+// Charges the account of the caller for the call, including its decoding and encoding.
+CallMethod within_budget(const QueryControl& queries, CallMethod method) {
+    method.run = [&queries, run = std::move(method.run)](const CallContext& context,
+                                                         std::string_view bytes,
+                                                         ResponseBytes& response_bytes) -> Status {
+        const QueryBudget::Spending spending(queries.budget(),
+                                             account_of(context.who.subject, context.address));
+        if (!spending.status().ok()) return spending.status();
+        return run(context, bytes, response_bytes);
+    };
+    return method;
+}
+
 template <class Request, class Response>
 CallMethod query_method(const QueryControl& queries, const WorldDirectory& worlds, const char* name,
                         Status (QueryControl::*query)(const Request&, Response&,
                                                       const CancellationCheck&) const) {
-    return world_method<Request, Response>(
-        std::string("/jostle.v1.QueryService/") + name, CallWork::query, query_request_bytes_max,
-        worlds,
-        [&queries, query](const CallContext& context, const Request& request, Response& response) {
-            return (queries.*query)(request, response, [&] { return !context.is_too_late(); });
-        });
+    return within_budget(queries,
+                         world_method<Request, Response>(
+                             std::string("/jostle.v1.QueryService/") + name, CallWork::query,
+                             query_request_bytes_max, worlds,
+                             [&queries, query](const CallContext& context, const Request& request,
+                                               Response& response) {
+                                 return (queries.*query)(request, response,
+                                                         [&] { return !context.is_too_late(); });
+                             }));
 }
 
 // Responses in flight, by the copy of the world they were computed from: identical requests on the
@@ -72,11 +89,11 @@ CallMethod debug_method(const QueryControl& queries, const WorldDirectory& world
         return {};
     };
     constexpr std::size_t debug_bytes_max = 4096;
-    return {.path = "/jostle.v1.QueryService/Debug",
-            .work = CallWork::query,
-            .request_bytes_max = debug_bytes_max,
-            .authorizes_world = true,
-            .run = run};
+    return within_budget(queries, {.path = "/jostle.v1.QueryService/Debug",
+                                   .work = CallWork::query,
+                                   .request_bytes_max = debug_bytes_max,
+                                   .authorizes_world = true,
+                                   .run = run});
 }
 
 }  // namespace

@@ -12,6 +12,7 @@
 #include "jostle/v1/query.pb.h"
 #include "jostle/v1/world.pb.h"
 #include "server/auth/allowed_hosts.h"
+#include "server/limits/account.h"
 #include "server/session/peer.h"
 
 namespace jostle::server {
@@ -118,7 +119,8 @@ HttpResponse evaluate(const HttpRequest& request, const QueryControl& queries,
 
 HttpResponse to_http(const Error& error) {
     const HttpCode code = http_code_of(error.code);
-    const nlohmann::json body = {{"code", code.name}, {"message", error.message}};
+    nlohmann::json body = {{"code", code.name}, {"message", error.message}};
+    if (error.retry_after_ms > 0) body["retryAfterMs"] = error.retry_after_ms;
     HttpResponse response = json(
         code.status, body.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
     // Whole seconds, rounded up.
@@ -276,6 +278,9 @@ HttpResponse HttpRoutes::create_world(const HttpRequest& request,
 
 HttpResponse HttpRoutes::query(const HttpRequest& request, std::string_view method,
                                const RequestContext& context) const {
+    const QueryBudget::Spending spending(queries_.budget(),
+                                         account_of(context.who.subject, context.address));
+    if (!spending.status().ok()) return to_http(spending.status().error());
     const auto authorize_target = [&](const std::string& world) {
         return authorize_world(context, world);
     };

@@ -3,6 +3,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <cmath>
+
 #include "jostle/base/check.h"
 #include "jostle/physics/hull.h"
 
@@ -183,7 +185,8 @@ Status Admission::admit_input(const Action& action, Clock::time_point now) {
     if (spectator_) return Error{ErrorCode::permission_denied, "spectators cannot send inputs"};
     if (!inputs_.take(1, now))
         return Error{ErrorCode::resource_exhausted,
-                     fmt::format("more than {:g} inputs per second", limits_.inputs_per_second)};
+                     fmt::format("more than {:g} inputs per second", limits_.inputs_per_second),
+                     static_cast<int>(std::ceil(to_ms(inputs_.wait_for(1, now))))};
     return check_numbers(action);
 }
 

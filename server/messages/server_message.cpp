@@ -200,7 +200,9 @@ void write_results(v1::ClientUpdate& to, std::span<const InputResult> results) {
         result.set_tick(from.tick);
         result.set_entity(from.entity);
         result.set_view_time_clamped(from.view_time_clamped);
-        if (!from.status.ok()) result.set_message(from.status.error().message);
+        if (from.status.ok()) continue;
+        result.set_message(from.status.error().message);
+        result.set_retry_after_ms(static_cast<std::uint32_t>(from.status.error().retry_after_ms));
     }
 }
 

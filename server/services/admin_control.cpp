@@ -231,6 +231,30 @@ Status AdminControl::export_world(const v1::ExportWorldRequest& request,
     return done.ok() ? write_export(std::move(exported), response) : done;
 }
 
+Status AdminControl::download_world(const v1::DownloadWorldRequest& request,
+                                    v1::DownloadWorldResponse& response) {
+    const Clock::time_point now = Clock::now();
+    const auto world = find_world(context_, request.world());
+    if (!world.ok()) return world.error();
+    Result<ExportDownload::Piece> piece = Error{};
+    if (request.id().empty()) {
+        if (Status s = export_download_.admit(now); !s.ok()) return s;  // before the expensive part
+        v1::ExportWorldRequest export_request;
+        export_request.set_world(request.world());
+        export_request.set_tick(request.tick());
+        v1::ExportWorldResponse exported;
+        if (Status s = export_world(export_request, exported); !s.ok()) return s;
+        piece = export_download_.begin((*world)->id(), exported.SerializeAsString(), Clock::now());
+    } else {
+        piece = export_download_.read((*world)->id(), request.id(), request.offset(), now);
+    }
+    if (!piece.ok()) return piece.error();
+    response.set_id(piece->id);
+    response.set_bytes(piece->bytes);
+    response.set_data(std::move(piece->data));
+    return {};
+}
+
 Status AdminControl::rewind_world(const v1::RewindWorldRequest& request,
                                   v1::RewindWorldResponse& response) {
     const auto world = find_world(context_, request.world());

@@ -10,6 +10,7 @@
 
 #include "jostle/base/result.h"
 #include "server/services/backup_download.h"
+#include "server/services/export_download.h"
 #include "server/session/play_context.h"
 
 namespace jostle::v1 {
@@ -17,6 +18,8 @@ class BackupRequest;
 class BackupResponse;
 class BanRequest;
 class BanResponse;
+class DownloadWorldRequest;
+class DownloadWorldResponse;
 class DrainRequest;
 class DrainResponse;
 class ExportWorldRequest;
@@ -73,13 +76,18 @@ public:
     Status set_paused(const v1::SetPausedRequest& request, v1::SetPausedResponse& response);
     Status step_world(const v1::StepWorldRequest& request, v1::StepWorldResponse& response);
     Status export_world(const v1::ExportWorldRequest& request, v1::ExportWorldResponse& response);
+    Status download_world(const v1::DownloadWorldRequest& request,
+                          v1::DownloadWorldResponse& response);
     Status rewind_world(const v1::RewindWorldRequest& request, v1::RewindWorldResponse& response);
     Status undo_client(const v1::UndoClientRequest& request, v1::UndoClientResponse& response);
     Status remove_bodies(const v1::RemoveBodiesRequest& request,
                          v1::RemoveBodiesResponse& response);
     Status backup(const v1::BackupRequest& request, v1::BackupResponse& response);
-    // Call it every some seconds.
-    void remove_idle_backup(Clock::time_point now) { backup_download_.remove_idle(now); }
+    // Deletes downloads that nobody reads. Call it every few seconds.
+    void remove_idle_downloads(Clock::time_point now) {
+        backup_download_.remove_idle(now);
+        export_download_.remove_idle(now);
+    }
     Status drain(const v1::DrainRequest& request, v1::DrainResponse& response);
     Status profile(const v1::ProfileRequest& request, v1::ProfileResponse& response);
 
@@ -88,6 +96,7 @@ private:
     PlayContext& context_;
     std::atomic<int> waiting_{0};
     BackupDownload backup_download_;
+    ExportDownload export_download_;
 };
 
 }  // namespace jostle::server

@@ -2,24 +2,16 @@
 #include "server/services/backup_download.h"
 
 #include <spdlog/fmt/fmt.h>
-#include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
 #include <utility>
 
+#include "server/util/random_id.h"
+
 namespace jostle::server {
 namespace {
-
-// Not guessable, because it names a file with the state of all worlds.
-std::string random_id() {
-    unsigned char bytes[16];
-    if (::getentropy(bytes, sizeof bytes) != 0) return {};
-    std::string id;
-    for (const unsigned char byte : bytes) id += fmt::format("{:02x}", byte);
-    return id;
-}
 
 Error busy() {
     return {ErrorCode::resource_exhausted, "another backup is being made or read; retry later",

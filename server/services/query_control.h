@@ -10,6 +10,7 @@
 #include <functional>
 
 #include "jostle/base/result.h"
+#include "server/limits/query_budget.h"
 #include "server/session/play_context.h"
 #include "server/world/query_frame.h"
 
@@ -34,7 +35,11 @@ class QueryControl {
 public:
     static bool always() { return true; }
 
-    explicit QueryControl(PlayContext& context) : context_(context) {}
+    explicit QueryControl(PlayContext& context)
+        : context_(context), budget_(context.config.quota.query_share) {}
+
+    // The processor time of queries. Transports charge a call from decoding to encoding.
+    QueryBudget& budget() const { return budget_; }
 
     // Calls with many parts check between them whether the response is still needed.
     Status cast_rays(const v1::CastRaysRequest& request, v1::CastRaysResponse& response,
@@ -56,6 +61,7 @@ public:
 
 private:
     PlayContext& context_;
+    mutable QueryBudget budget_;
 };
 
 }  // namespace jostle::server

@@ -41,8 +41,10 @@ Error going_down() {
 // Scene names refer to the catalogue only: clients must not make the server read files.
 Result<scenes::SceneDescription> scene_of(const v1::CreateWorldRequest& request) {
     if (request.has_scene()) return scenes::from_message(request.scene());
+    if (request.has_scene_json()) return scenes::read_scene_json(request.scene_json());
     if (!request.has_scene_name()) {
-        return Error{ErrorCode::invalid_argument, "give scene_name, scene or checkpoint"};
+        return Error{ErrorCode::invalid_argument,
+                     "give scene_name, scene, scene_json or checkpoint"};
     }
     if (auto scene = scenes::find_scene(request.scene_name())) return *std::move(scene);
     return Error{ErrorCode::not_found,

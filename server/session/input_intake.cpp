@@ -13,6 +13,7 @@ namespace jostle::server {
 namespace {
 
 constexpr std::int64_t margin_us_max = 1'000'000'000;
+constexpr int queue_full_retry_ms = 100;  // the queue is empty again after a few ticks
 
 }  // namespace
 
@@ -62,7 +63,8 @@ Status InputIntake::push(std::uint32_t sequence, const Result<Action>& input, st
                         .received = now,
                         .tick = tick}))
         return Error{ErrorCode::resource_exhausted,
-                     "the input queue of the world is full; send the input again later"};
+                     "the input queue of the world is full; send the input again later",
+                     queue_full_retry_ms};
     return {};
 }
 

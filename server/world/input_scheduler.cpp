@@ -143,10 +143,12 @@ std::vector<InputScheduler::Refused> InputScheduler::take_refused() {
         accounts_.at(command.account).waiting--;
         clients_.at(command.client).waiting--;
         if (entry.has_run) continue;
+        const double wait = retry_seconds(command);
         Error error{ErrorCode::resource_exhausted,
                     fmt::format("the inputs of this player take more than its share of the tick; "
                                 "retry after {:.1f} s",
-                                retry_seconds(command))};
+                                wait),
+                    static_cast<int>(std::ceil(1000 * wait))};
         refused.push_back({std::move(entry.command), std::move(error)});
     }
     waiting_ = std::move(still_waiting);

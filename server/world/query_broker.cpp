@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "server/world/query_broker.h"
 
+#include <algorithm>
+#include <cmath>
 #include <utility>
 
 #include "jostle/base/check.h"
@@ -9,7 +11,8 @@ namespace jostle::server {
 
 bool QueryBroker::is_usable(CopyLayers layers) const {
     return frame_ && (frame_->layers & layers) == layers &&
-           frame_->tick + age_ticks_max >= newest_tick_.load(std::memory_order_relaxed);
+           frame_->tick + usable_ticks_.load(std::memory_order_relaxed) >=
+               newest_tick_.load(std::memory_order_relaxed);
 }
 
 void QueryBroker::request(CopyLayers layers, Clock::time_point now) {
@@ -34,7 +37,18 @@ CopyLayers QueryBroker::begin_tick(std::uint32_t tick, Clock::time_point now) {
         if (requested_until_[i].load(std::memory_order_relaxed) > now.time_since_epoch().count())
             layers |= CopyLayers{1} << i;
     if (layers == 0) put(nullptr);
-    return layers;
+    balance_ = std::min(balance_ + copy_seconds_, copy_seconds_);
+    return balance_ < 0 ? 0 : layers;
+}
+
+void QueryBroker::charge(double cpu_seconds) {
+    ASSERT(!(cpu_seconds < 0));
+    if (copy_seconds_ == 0) return;
+    balance_ -= cpu_seconds;
+    const double ticks = std::ceil(cpu_seconds / copy_seconds_) + 1;
+    usable_ticks_.store(std::clamp(static_cast<std::uint32_t>(std::min(ticks, 1e6)), age_ticks_max,
+                                   slow_age_ticks_max),
+                        std::memory_order_relaxed);
 }
 
 void QueryBroker::put(QueryFramePtr frame) {

@@ -65,6 +65,8 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
       scheduler_(settings.inputs, properties_.hz),
       body_limits_(settings.body_limits, properties_.hz),
       world_journal_(std::move(start.world_journal)),
+      // A world without a thread of its own does not depend on measured times.
+      queries_(settings.own_thread ? settings.query_copy_share / properties_.hz : 0),
       tick_metrics_(settings.metrics, properties_.label.name) {
     auto first = std::make_shared<Frame>();
     first->tick = tick_;
@@ -339,8 +341,12 @@ void WorldHost::publish(const std::shared_ptr<Frame>& frame, bool sends_results)
 }
 
 void WorldHost::serve_queries() {
-    if (const CopyLayers layers = queries_.begin_tick(tick_, Clock::now()))
-        queries_.put(world_.query_frame(tick_, layers));
+    const CopyLayers layers = queries_.begin_tick(tick_, Clock::now());
+    if (layers == 0) return;
+    const auto before = cpu_time_.now();
+    queries_.put(world_.query_frame(tick_, layers));
+    const auto after = cpu_time_.now();
+    if (before && after) queries_.charge(std::chrono::duration<double>(*after - *before).count());
 }
 
 CheckpointCopy WorldHost::checkpoint_copy() const {

@@ -42,6 +42,7 @@ struct WorldHostSettings {
     TotalLimits totals;
     int command_queue_max = 8192;
     InputScheduler::Settings inputs;
+    double query_copy_share = 0.1;  // of the tick period for copies for queries; 0: unlimited
     BodyLimits::Settings body_limits;
     int catch_up_ticks_max = 4;
     int physics_threads = 1;
@@ -92,7 +93,8 @@ public:
     FrameListeners& listeners() { return publisher_.listeners(); }
     // The newest frames, for lag compensation.
     const FrameRing& frame_history() const { return world_.frame_history(); }
-    // A copy of the world for queries, at most a few ticks old. Waits for the next one; null: none
+    // A copy of the world for queries, at most a few ticks old, or older if
+    // copies are expensive (query_copy_share). Waits for the next one; null: none
     // arrived in time. Without a thread of its own: a copy of the current state.
     QueryFramePtr query_frame(CopyLayers layers);
 

@@ -6,9 +6,11 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <grpcpp/grpcpp.h>
 #include <CLI/CLI.hpp>
 
 #include <algorithm>
+#include <cmath>
 #include <csignal>
 #include <cstdio>
 #include <functional>
@@ -22,6 +24,7 @@
 
 #include "bench/processes/server_process.h"
 #include "jostle/client/client.h"
+#include "jostle/v1/query.grpc.pb.h"
 
 namespace jostle {
 namespace {
@@ -37,10 +40,108 @@ v1::Vec3 vector_of(double x, double y, double z) {
 
 // ---- attackers: in a process of their own, at a lower priority ----
 
+// A hull with `count` vertices on a sphere.
+void write_hull(v1::Hull& hull, int count, double radius) {
+    for (int k = 0; k < count; k++) {
+        const double height = 1 - 2 * (k + 0.5) / count, width = std::sqrt(1 - height * height);
+        const double angle = std::numbers::phi * 2 * std::numbers::pi * k;
+        *hull.add_points() = vector_of(radius * width * std::cos(angle), radius * height,
+                                       radius * width * std::sin(angle));
+    }
+}
+
+// The most expensive requests of one player that the limits allow, on a connection of its own.
+class QueryFlood {
+public:
+    enum class Kind { shapes, debug };
+    QueryFlood(const std::string& target, Kind kind) {
+        grpc::ChannelArguments arguments;
+        arguments.SetInt(GRPC_ARG_USE_LOCAL_SUBCHANNEL_POOL, 1);
+        stub_ = v1::QueryService::NewStub(
+            grpc::CreateCustomChannel(target, grpc::InsecureChannelCredentials(), arguments));
+        if (kind == Kind::debug) {
+            flood(&v1::QueryService::Stub::Debug, all_layers());
+            flood(&v1::QueryService::Stub::Debug, all_layers());
+            return;
+        }
+        flood(&v1::QueryService::Stub::CastRays, rays());
+        flood(&v1::QueryService::Stub::CastShapes, sweeps());
+        flood(&v1::QueryService::Stub::Overlap, overlap());
+        flood(&v1::QueryService::Stub::ClosestPoints, points());
+    }
+
+private:
+    static v1::CastRaysRequest rays() {
+        v1::CastRaysRequest request;
+        request.set_world("attacked");
+        request.set_mode(v1::HIT_MODE_ALL);
+        for (int k = 0; k < 1000; k++) {
+            v1::Ray& ray = *request.add_rays();
+            *ray.mutable_origin() = vector_of(-500, 0.5, 0.04 * (k - 500));
+            *ray.mutable_motion() = vector_of(1000, 0, 0.01 * (k % 100));
+        }
+        request.mutable_view_time()->set_tick(1);
+        return request;
+    }
+    static v1::CastShapesRequest sweeps() {
+        v1::CastShapesRequest request;
+        request.set_world("attacked");
+        request.set_mode(v1::HIT_MODE_ALL);
+        for (int k = 0; k < 100; k++) {
+            v1::MovingShape& moving = *request.add_shapes();
+            write_hull(*moving.mutable_shape()->mutable_hull(), 1000, 20);
+            *moving.mutable_shape()->mutable_position() = vector_of(-500, 10, 0.1 * k);
+            *moving.mutable_motion() = vector_of(1000, 0, k);
+        }
+        return request;
+    }
+    static v1::OverlapRequest overlap() {
+        v1::OverlapRequest request;
+        request.set_world("attacked");
+        write_hull(*request.mutable_shape()->mutable_hull(), 1000, 500);
+        return request;
+    }
+    static v1::ClosestPointsRequest points() {
+        v1::ClosestPointsRequest request;
+        request.set_world("attacked");
+        request.set_max_distance(1e7);
+        for (int k = 0; k < 1000; k++) *request.add_points() = vector_of(k, 1000, 0);
+        return request;
+    }
+    static v1::DebugRequest all_layers() {
+        v1::DebugRequest request;
+        request.set_world("attacked");
+        request.set_contacts(true);
+        request.set_islands(true);
+        request.set_bounds(true);
+        request.set_joints(true);
+        request.set_broad_phase(true);
+        return request;
+    }
+    // Sends the request again as soon as it was answered, until the process ends.
+    template <class Request, class Response>
+    void flood(grpc::Status (v1::QueryService::Stub::*call)(grpc::ClientContext*, const Request&,
+                                                            Response*),
+               Request request) {
+        threads_.emplace_back([this, call, request = std::move(request)] {
+            for (;;) {
+                grpc::ClientContext context;
+                Response response;
+                const grpc::Status status = (stub_.get()->*call)(&context, request, &response);
+                if (!status.ok()) std::this_thread::sleep_for(1ms);
+            }
+        });
+    }
+
+    std::unique_ptr<v1::QueryService::Stub> stub_;
+    std::vector<std::jthread> threads_;
+};
+
 class Attacker {
 public:
     Attacker(client::Loop& loop, const std::string& target, unsigned seed)
-        : random_(seed),
+        : target_(target),
+          random_(seed),
           client_(client::Client::connect(
               loop, {.target = target, .world = "attacked", .name = "attacker"})) {}
 
@@ -67,15 +168,12 @@ public:
     // A hull with 32 vertices onto a heap.
     void spawn_hull() {
         v1::Input input;
-        auto& points = *input.mutable_spawn()->mutable_shape()->mutable_hull()->mutable_points();
-        for (int k = 0; k < 32; k++) {
-            const double height = 1 - 2 * (k + 0.5) / 32, radius = std::sqrt(1 - height * height);
-            const double angle = std::numbers::phi * 2 * std::numbers::pi * k;
-            *points.Add() = vector_of(0.4 * radius * std::cos(angle), 0.4 * height,
-                                      0.4 * radius * std::sin(angle));
-        }
+        write_hull(*input.mutable_spawn()->mutable_shape()->mutable_hull(), 32, 0.4);
         *input.mutable_spawn()->mutable_position() = anywhere(3 + real(0, 6));
         client_->send(std::move(input));
+    }
+    void query(QueryFlood::Kind kind) {
+        if (!flood_) flood_ = std::make_unique<QueryFlood>(target_, kind);
     }
     std::uint32_t future_tick(int ticks) { return client_->input_tick(Clock::now()) + ticks; }
 
@@ -85,8 +183,10 @@ private:
     }
     v1::Vec3 anywhere(double y) { return vector_of(real(-3, 3), y, real(-3, 3)); }
 
+    const std::string target_;
     std::mt19937 random_;
     std::shared_ptr<client::Client> client_;
+    std::unique_ptr<QueryFlood> flood_;
 };
 
 struct Attack {
@@ -121,6 +221,10 @@ const std::vector<Attack>& attacks() {
          [](Attacker& attacker, int round) {
              if (round % 10 == 0) attacker.spawn_hull();
          }},
+        {"queries", "four players with four expensive queries in flight each", 4,
+         [](Attacker& attacker, int) { attacker.query(QueryFlood::Kind::shapes); }},
+        {"debug-layers", "four players that request all debug layers all the time", 4,
+         [](Attacker& attacker, int) { attacker.query(QueryFlood::Kind::debug); }},
     };
     return all;
 }
@@ -256,7 +360,8 @@ bool run(const Attack& attack, const Plan& plan) {
 
 int main(int argc, char** argv) {
     CLI::App app{
-        "Attack a world with the inputs that the default limits allow, and count the snapshots "
+        "Attack a world with the inputs and queries that the default limits allow, and count the "
+        "snapshots "
         "that honest\n"
         "players receive: at least 50 a second in the same world, and 58 in another one."};
     jostle::Plan plan;

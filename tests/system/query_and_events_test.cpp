@@ -154,6 +154,23 @@ TEST_F(QueryAndEvents, client_library_queries_and_receives_events) {
     EXPECT_TRUE(soon([&] { return !me->stats().connected; }));
 }
 
+TEST_F(QueryAndEvents, a_query_beyond_the_share_of_its_player_is_refused_with_a_time_to_retry) {
+    // A full balance of 0.1 ms of processor time.
+    ServerProcess small{{"--scene", "stack", "--listen", "127.0.0.1:0", "--http", "127.0.0.1:0",
+                         "--set", "quota.query_share=0.0001"}};
+    ASSERT_TRUE(small.is_running()) << small.log();
+    client::QueryClient queries(small.grpc_address(), "stack");
+    auto hit = queries.cast_ray({x, 10, 0}, {0, -20, 0});
+    ASSERT_TRUE(hit.ok()) << hit.error().message;
+    for (int i = 0; i < 20 && hit.ok(); i++) hit = queries.cast_ray({x, 10, 0}, {0, -20, 0});
+    ASSERT_FALSE(hit.ok());
+    EXPECT_EQ(hit.error().code, ErrorCode::resource_exhausted);
+    EXPECT_GE(hit.error().retry_after_ms, 100);
+    EXPECT_NE(hit.error().message.find("retry after "), std::string::npos) << hit.error().message;
+    small.signal(SIGTERM);
+    EXPECT_EQ(small.wait(10s), 0) << small.log();
+}
+
 TEST_F(QueryAndEvents, http_serves_json_queries_and_health_lists_the_service) {
     const std::string body = R"({"rays": [{"origin": {"y": 50}, "motion": {"y": -100}}]})";
     asio::io_context io;

@@ -68,6 +68,8 @@ COVERED_BY = {
          "balls, hinges, motors and limits against closed forms; every kind that it knows"),
     "constraints/direct/direct_system.cpp":
         (["physics/constraints/direct/direct_group_test.cpp"], "loops, motors, limits, ends that are apart"),
+    "constraints/direct/energy_guard.cpp":
+        (["physics/constraints/direct/direct_group_test.cpp"], "linkages, loaded chains and straight bridges keep their energy"),
     "constraints/direct/energy_step.cpp":
         (["physics/constraints/direct/direct_group_test.cpp"], "a whip of a thousand times the mass is too stiff for any other step"),
     "constraints/direct/rattle_step.cpp":
@@ -147,6 +149,8 @@ COVERED_BY = {
     "stages/contacts/update_touching.cpp":
         (["physics/stages/contacts/update_contacts_test.cpp", "behaviour/contact_events_test.cpp", "behaviour/sleeping_test.cpp"],
          "how often pairs are looked at; each touch begins and ends once; who is met asleep wakes"),
+    "stages/contacts/find_seam_neighbours.cpp":
+        (["behaviour/floors_test.cpp"], "bodies that slide over floors of several shapes and bodies feel no bump"),
     "stages/contacts/narrow_phase_pair.cpp":
         (["physics/stages/contacts/update_contacts_test.cpp", "behaviour/friction_test.cpp", "behaviour/rocking_test.cpp"],
          "what passes by, what slides over seams, what rocks"),

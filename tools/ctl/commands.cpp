@@ -11,6 +11,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
+#include "jostle/scenes/scene_file.h"
 #include "server/storage/backup.h"
 #include "server/storage/store_head.h"
 #include "tools/common/table.h"
@@ -51,15 +52,19 @@ std::chrono::seconds whole_seconds(double seconds) {
     return std::chrono::seconds(static_cast<int>(seconds));
 }
 
-// A scene file is the JSON form of the message. The server validates it.
-Status read_scene(const std::string& path, v1::Scene& scene) {
-    const auto text = read_file(path);
-    if (!text.ok()) return text.error();
-    const auto read = google::protobuf::util::JsonStringToMessage(*text, &scene);
-    if (read.ok()) return {};
-    return Error{ErrorCode::invalid_argument,
-                 path + " is not a scene file (docs/reference/scene_format.md): " +
-                     std::string(read.message())};
+// Puts the path of the file before each line.
+Error in_file(const std::string& path, const Error& error) {
+    std::string message = path + ": ";
+    for (const char c : error.message) {
+        message += c;
+        if (c == '\n') message += path + ": ";
+    }
+    return {error.code, message};
+}
+
+// A scene file is the JSON form of the message. The server validates its values.
+Status read_scene(const std::string& text, v1::Scene& scene) {
+    return scenes::read_json_message(text, scene);
 }
 
 std::string scene_file_text(const v1::Scene& scene) {
@@ -131,14 +136,23 @@ Outcome list_worlds(Connection& server, const CommandArguments& arguments) {
 Outcome create_world(Connection& server, const CommandArguments& arguments) {
     v1::CreateWorldRequest request;
     request.set_name(arguments.name);
+    std::string text;
     if (!arguments.from.empty()) {
         request.mutable_checkpoint()->set_world(arguments.from);
         request.mutable_checkpoint()->set_tick(arguments.tick);
-    } else if (arguments.file.empty())
+    } else if (arguments.file.empty()) {
         request.set_scene_name(arguments.scene);
-    else if (Status s = read_scene(arguments.file, *request.mutable_scene()); !s.ok())
-        return usage_error(s.error());
+    } else {
+        Result<std::string> read = read_file(arguments.file);
+        if (!read.ok()) return usage_error(read.error());
+        text = *std::move(read);
+        if (Status s = read_scene(text, *request.mutable_scene()); !s.ok())
+            return usage_error(in_file(arguments.file, s.error()));
+    }
     const auto response = server.call(&Worlds::CreateWorld, request, std::chrono::seconds(60));
+    if (!response.ok() && response.error().code == ErrorCode::invalid_argument && !text.empty())
+        return server_error(in_file(arguments.file, invalid_argument(scenes::with_positions(
+                                                        text, "", response.error().message))));
     if (!response.ok()) return server_error(response.error());
     const v1::WorldInfo& world = response->world();
     return to_outcome(response, arguments,

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cstdio>
 
+#include "jostle/base/nearest_name.h"
+
 namespace jostle::modules {
 namespace {
 
@@ -30,6 +32,13 @@ std::string list(const std::vector<std::string>& names) {
     std::string all;
     for (const std::string& name : names) all += (all.empty() ? "" : ", ") + name;
     return all.empty() ? "none" : all;
+}
+
+// `kind`: "", "body " or "file ".
+std::string unknown(const std::string& kind, const std::string& name,
+                    const std::vector<std::string>& names) {
+    return "unknown " + kind + "setting " + name + "; must be one of: " + list(names) +
+           did_you_mean(name, names);
 }
 
 }  // namespace
@@ -71,14 +80,11 @@ void SettingsReader::bytes(std::string_view name, std::span<const std::byte>& to
 
 Status SettingsReader::finish() {
     for (const auto& [name, value] : settings_.numbers)
-        if (!has(numbers_, name))
-            fail("unknown setting " + name + "; must be one of: " + list(numbers_));
+        if (!has(numbers_, name)) fail(unknown("", name, numbers_));
     for (const auto& [name, body] : settings_.bodies)
-        if (!has(bodies_, name))
-            fail("unknown body setting " + name + "; must be one of: " + list(bodies_));
+        if (!has(bodies_, name)) fail(unknown("body ", name, bodies_));
     for (const auto& [name, bytes] : settings_.bytes)
-        if (!has(bytes_, name))
-            fail("unknown file setting " + name + "; must be one of: " + list(bytes_));
+        if (!has(bytes_, name)) fail(unknown("file ", name, bytes_));
     if (fault_.empty()) return {};
     return Error{ErrorCode::invalid_argument, fault_};
 }

@@ -31,11 +31,38 @@ Vec3 angular_velocity_between(Quat previous, Quat target_rotation, double dt) {
 
 // Lead time that compensates the lag of a muscle, s. A damped spring lags behind a moving target by
 // 2 zeta / omega. The target is constant over a step, whose middle is half a step before the pose
-// at its end. The implicit springs are solved before and after the motion of a sub-step, which adds
-// the lag of two sub-steps.
-double lead_time_of(const Muscle& muscle, double dt, int substeps) {
-    return muscle.damping_ratio / (pi * muscle.hertz) - 0.5 * dt + 2 * dt / substeps;
+// at its end. Springs that the sub-step does not resolve are implicit (held_spring() of the
+// solver). They are solved before and after its motion, which adds the lag of two sub-steps.
+double lead_time_of(const Muscle& muscle, double scale, double dt, int substeps) {
+    const double h = dt / substeps, turn = 2 * pi * muscle.hertz * scale * h;
+    const bool is_implicit = turn > 1 || 2 * muscle.damping_ratio * scale * turn > 1;
+    return muscle.damping_ratio / (pi * muscle.hertz) - 0.5 * dt + (is_implicit ? 2 * h : 0);
 }
+
+// Displacement of the target for which the spring accelerates the bone like the pose.
+Vec3 acceleration_lead(const Muscle& muscle, double strength, Vec3 acceleration) {
+    const double rate = 2 * pi * muscle.hertz;
+    return strength > 0 ? acceleration * (1 / (rate * rate * strength)) : Vec3{};
+}
+
+// Mass and inertia about the origin of the figure's frame, in the rest pose.
+struct Inertia {
+    double mass = 0;
+    Vec3 moment;  // kg m
+    Mat3 inertia = diagonal({0, 0, 0});
+
+    void add(const Inertia& other) {
+        mass += other.mass;
+        moment += other.moment;
+        inertia = inertia + other.inertia;
+    }
+    double about(Vec3 point, Vec3 axis) const {
+        // Parallel axes: through the origin, then through the point.
+        const Vec3 through = cross(axis, point);
+        return dot(axis, inertia * axis) - 2 * dot(through, cross(axis, moment)) +
+               mass * length_squared(through);
+    }
+};
 
 BodyDef body_of(const RagdollDef& def, std::size_t bone, const Transform& origin) {
     return {.type = bone == 0 && def.kinematic_root ? BodyType::kinematic : BodyType::dynamic,
@@ -71,14 +98,53 @@ Ragdolls::BoneJoint Ragdolls::bone_joint_of(const JointKind& kind) {
     return {};
 }
 
+// Springs of joints refer to the inertia of the two bodies about their centres. Returns the factor
+// of frequency and damping with which they have the muscle's frequency about the joint. The masses
+// may change between steps.
+std::vector<double> Ragdolls::muscle_scales(const World& world, const Figure& figure) {
+    const std::size_t count = figure.bones.size();
+    std::vector<Inertia> hanging(count);
+    std::vector<Mat3> responses(count, diagonal({0, 0, 0}));  // inverse inertias
+    std::vector<double> scales(count, 1);
+    for (std::size_t k = 0; k < count; k++) {
+        const Result<BodyState> body = world.body(figure.bones[k].body);
+        if (!body.ok() || body->mass <= 0 || !(dot(body->inertia.x, {1, 0, 0}) > 0)) continue;
+        const Transform to_rest = compose(figure.bones[k].rest, inverse(body->pose));
+        const Mat3 turn = to_matrix(to_rest.rotation);
+        const Mat3 inertia = turn * body->inertia * transpose(turn);
+        const Vec3 center = apply(to_rest, body->center);
+        const double xx = length_squared(center);
+        hanging[k] = {body->mass, center * body->mass,
+                      inertia + Mat3{(Vec3{xx, 0, 0} - center * center.x) * body->mass,
+                                     (Vec3{0, xx, 0} - center * center.y) * body->mass,
+                                     (Vec3{0, 0, xx} - center * center.z) * body->mass}};
+        responses[k] = inverse(inertia);
+    }
+    for (std::size_t k = count; k-- > 1;) {
+        const Bone& bone = figure.bones[k];
+        const auto parent = static_cast<std::size_t>(bone.parent);
+        const Mat3 response = responses[k] + responses[parent],
+                   axes = to_matrix(bone.frame.rotation);
+        double most = 0;
+        for (const Vec3 axis : {axes.z, axes.x, axes.y}) {
+            most = maximum(
+                most, hanging[k].about(bone.frame.position, axis) * dot(axis, response * axis));
+            if (bone.bone_joint.kind == BoneJointKind::hinge) break;
+        }
+        if (most > 0) scales[k] = square_root(most);
+        hanging[parent].add(hanging[k]);
+    }
+    return scales;
+}
+
 // Returns the joint with a drive of the given strength towards a target.
-JointKind Ragdolls::kind_of(const Bone& bone, double strength, Quat target) {
+JointKind Ragdolls::kind_of(const Bone& bone, double strength, Quat target, double scale) {
     const BoneJoint& bone_joint = bone.bone_joint;
     const double most = bone.muscle.max_torque * strength;
     const bool pulls = most > 0 && bone.muscle.hertz > 0;
     // Stiffness is proportional to the square of the frequency.
-    const JointSpring spring{pulls ? bone.muscle.hertz * square_root(strength) : 0,
-                             bone.muscle.damping_ratio};
+    const JointSpring spring{pulls ? bone.muscle.hertz * square_root(strength) * scale : 0,
+                             bone.muscle.damping_ratio * scale};
     const RotationDrive drive{spring, pulls ? target : Quat{}, most};
     const JointLimit limit{bone_joint.limited, bone_joint.lower, bone_joint.upper};
     if (bone_joint.kind == BoneJointKind::hinge)
@@ -233,8 +299,10 @@ Status Ragdolls::set_mode(World& world, RagdollId id, RagdollMode mode, double b
     figure->blend_start_root = now->root;
     for (std::size_t k = 0; k < figure->bones.size(); k++)
         figure->bones[k].blend_start_rotation = now->rotations[k];
-    for (Bone& bone : figure->bones)
+    for (Bone& bone : figure->bones) {
         bone.previous_rotation = blend > 0 ? bone.blend_start_rotation : bone.target_rotation;
+        bone.previous_speed = {};
+    }
     return {};
 }
 
@@ -352,23 +420,30 @@ void Ragdolls::drive_muscles(World& world, Figure& figure, double dt) {
     const bool blends = figure.blend_elapsed < figure.blend;
     const double fraction = blends ? figure.blend_elapsed / figure.blend : 1;
     const int substeps = world.substeps();
+    const std::vector<double> scales = muscle_scales(world, figure);
     figure.pose_changed = false;
-    for (Bone& bone : figure.bones) {
+    for (std::size_t k = 0; k < figure.bones.size(); k++) {
+        Bone& bone = figure.bones[k];
         if (bone.parent < 0) continue;
         const double strength = figure.mode == RagdollMode::powered ? bone.strength * fraction : 0;
         const Quat turn =
             blends ? interpolate(bone.blend_start_rotation, bone.target_rotation, fraction)
                    : bone.target_rotation;
         Quat target = turn;
+        Vec3 speed;
         if (bone.muscle.hertz > 0 && bone.previous_rotation != turn) {
-            target =
-                from_rotation_vector(angular_velocity_between(bone.previous_rotation, turn, dt) *
-                                     lead_time_of(bone.muscle, dt, substeps)) *
-                turn;
+            speed = angular_velocity_between(bone.previous_rotation, turn, dt);
+            Vec3 lead = speed * lead_time_of(bone.muscle, scales[k], dt, substeps);
+            // A pose that starts to move has no acceleration to follow.
+            if (bone.previous_speed != Vec3{})
+                lead += acceleration_lead(bone.muscle, strength,
+                                          (speed - bone.previous_speed) * (1 / dt));
+            target = from_rotation_vector(lead) * turn;
             figure.pose_changed = true;
         }
+        bone.previous_speed = speed;
         bone.previous_rotation = turn;
-        const JointKind kind = kind_of(bone, strength, normalized(target));
+        const JointKind kind = kind_of(bone, strength, normalized(target), scales[k]);
         static_cast<void>(world.set_joint(bone.joint, kind).ok());
     }
 }

@@ -60,6 +60,9 @@ void Ragdolls::visit(StateVisitor& v, Figure& figure) {
         rotation(v, "wanted", bone.target_rotation);
         rotation(v, "before", bone.previous_rotation);
         rotation(v, "from", bone.blend_start_rotation);
+        v.field("speed_before", bone.previous_speed);
+        if (v.loading() && !(length_squared(bone.previous_speed) < 1e18))
+            v.fail("speed_before", "is out of range");
     });
     if (v.loading() && figure.alive == figure.bones.empty())
         v.fail("bones", "must be present exactly if the figure is alive");

@@ -27,7 +27,7 @@ constexpr std::array<bool, sizeof...(Kinds)> find_axes(std::type_identity<std::v
 }
 bool has_axes(std::uint32_t kind) {
     static constexpr auto axes = find_axes(std::type_identity<JointKind>{});
-    return kind != driven_ball && axes[kind];
+    return kind < joint_kinds && axes[kind];
 }
 template <class... Kinds>
 constexpr std::array<bool, sizeof...(Kinds)> find_geared_kinds(
@@ -36,7 +36,7 @@ constexpr std::array<bool, sizeof...(Kinds)> find_geared_kinds(
 }
 bool has_gear(std::uint32_t kind) {
     static constexpr auto gears = find_geared_kinds(std::type_identity<JointKind>{});
-    return kind != driven_ball && gears[kind];
+    return kind < joint_kinds && gears[kind];
 }
 bool has_angular(std::uint32_t kind) {
     return kind != JointKind(BallJoint{}).index() && !has_row(kind) && !has_axes(kind) &&

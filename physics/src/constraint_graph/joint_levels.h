@@ -20,7 +20,7 @@ namespace jostle::physics {
 // Blocks of one kind that share no body, so they can run in any order and on any thread. Runs are
 // executed in sequence.
 struct JointRun {
-    std::uint8_t kind = 0;   // index into JointKind, or driven_ball
+    std::uint8_t kind = 0;   // see kernel_of()
     int begin = 0, end = 0;  // blocks
     int angular = -1;        // JointAngularWide of the first block; -1 if the kind has none
     int row = -1;            // VelocityRowWide of the first block; -1 if the kind has none
@@ -30,7 +30,7 @@ struct JointRun {
 
 struct LeveledJoint {
     std::uint32_t joint = 0;
-    std::uint32_t kind = 0;                     // index into JointKind, or driven_ball
+    std::uint32_t kind = 0;                     // see kernel_of()
     std::int32_t a = 0, b = 0;                  // see JointConstraintWideMeta
     std::int32_t carrier_a = 0, carrier_b = 0;  // for geared pairs; see JointConstraintWideMeta
     std::uint32_t run = 0;                      // level * joint kinds + kind

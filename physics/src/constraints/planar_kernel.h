@@ -214,7 +214,8 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
         WideMask again = slips & (pressing() > pressed);
         if constexpr (kPair != PairKind::dynamic) {
             const Wide limit = splat(1 + limit_tolerance) * (load(m.mu) * pressing());
-            again = again | (absolute(load(m.friction[0])) > limit);
+            again = again |
+                    (is_pushed_out(min(gap0, gap1), set) & (absolute(load(m.friction[0])) > limit));
         }
         if (lane_bits(again) != 0) solve_friction(again);
     }

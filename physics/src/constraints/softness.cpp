@@ -30,6 +30,13 @@ Softness spring(double hertz, double damping_ratio, double h) {
     return {left * turn * turn / h, 1 - left, left, true};
 }
 
+Softness held_spring(double hertz, double damping_ratio, double h) {
+    const double turn = 2 * pi * hertz * h, damping = 2 * damping_ratio * turn;
+    if (turn > tuning::resolved_spring_turn || damping > 1) return soft(hertz, damping_ratio, h);
+    const double left = 1 / (1 + damping);
+    return {left * turn * turn / h, damping * left, left, true};
+}
+
 Softness damper(double rate, double h) {
     const double share = rate * h / (1 + rate * h);
     ASSERT(rate >= 0 && h > 0);

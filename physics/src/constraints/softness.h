@@ -29,6 +29,10 @@ Softness soft(double hertz, double damping_ratio, double h);
 // law. Otherwise soft(), in both passes, because one pass is not enough for chained stiff springs.
 Softness spring(double hertz, double damping_ratio, double h);
 
+// The same for bodies that a point holds together, whose inertia about the point exceeds their own:
+// an implicit damper, because the decay of their own speed would damp them too much.
+Softness held_spring(double hertz, double damping_ratio, double h);
+
 // Reduces speed at `rate` per second, implicitly: by the fraction rate h / (1 + rate h) in h.
 Softness damper(double rate, double h);
 

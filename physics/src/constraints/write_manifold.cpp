@@ -206,7 +206,8 @@ void write_manifold(ContactGraph& stores, const Contact& contact, const Manifold
         support_extent(m, has_rim(stores.shapes, contact), scale_of_pair(stores.bodies, contact));
     const Vec3 centre = support.centre;
     ASSERT(support.count >= 1 && is_unit(m.normal, 1e-5));
-    const Vec3 n = m.normal;
+    // Damaged geometry may have no normal.
+    const Vec3 n = length_squared(m.normal) > 0.5 ? m.normal : Vec3{0, 1, 0};
     const Vec3 t1 = stores.def.planar
                         ? Vec3{-n.y, n.x, 0}
                         : normalized(cross(n, absolute(n.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 0, 1}));

@@ -66,8 +66,14 @@ inline constexpr double bearing_overlap = 0.001;  // m
 // the shape is flat to this fraction of the shape's size.
 inline constexpr double same_piece = 0.9962;  // cosine of 5 degrees
 inline constexpr double even_ground = 1e-3;
+// Corners of triangles within this distance count as one corner: coordinates that are rounded to
+// 0.01 mm along each axis differ by up to 0.035 mm.
+inline constexpr double weld_distance = 4e-5;  // m
+// Pieces of a floor whose heights differ by less than this, and less than even_ground of the size
+// of the shape on them, are flush.
+inline constexpr double flush_distance = 1e-3;  // m
 // An edge of a surface accepts normals that lean this far beyond its range.
-inline constexpr double edge_slack = 0.01;  // rad
+inline constexpr double edge_slack = 1e-4;  // rad
 // Round edges that cross at a small angle touch in an elongated ellipse (Hertz). They get two
 // points, where the distance of their axes exceeds the minimum by this fraction of the radius.
 // Derivation: narrowphase/segments.h. Values from 1/10000 to 1/2000 gave equal results.

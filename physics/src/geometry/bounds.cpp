@@ -124,4 +124,11 @@ double radius_of(const Geometry& geometry) {
     return 0;
 }
 
+Aabb bounds_in(const TransformedShape& frame, const TransformedShape& shape) {
+    const TransformedShape local{shape.geometry,
+                                 transposed_times(frame.axes, shape.position - frame.position),
+                                 transpose(frame.axes) * shape.axes};
+    return bounds_of(local);
+}
+
 }  // namespace jostle::physics

@@ -39,6 +39,8 @@ Displacement displacement(const Geometry& geometry, Vec3 normal, double offset);
 // Returns an axis-aligned bounding box of the shape, tight for convex kinds. Not for planes, which
 // are infinite.
 Aabb bounds_of(const TransformedShape& shape);
+// The bounding box of a shape in the frame of another one.
+Aabb bounds_in(const TransformedShape& frame, const TransformedShape& shape);
 
 // Returns the distance of the shape's furthest point from its origin, m. Not for planes.
 double radius_of(const Geometry& geometry);

@@ -23,6 +23,8 @@ std::uint32_t across(const HeightGrid& grid, std::uint32_t index, int k) {
     return r + 1 < rows ? (cell + columns) * 2 : no_triangle;
 }
 
+}  // namespace
+
 std::uint32_t neighbour_of(const Geometry& surface, std::uint32_t index, int k) {
     if (const auto* mesh = std::get_if<Mesh>(&surface))
         return mesh->data->neighbours[index][static_cast<std::size_t>(k)];
@@ -30,8 +32,6 @@ std::uint32_t neighbour_of(const Geometry& surface, std::uint32_t index, int k) 
     const std::uint32_t other = across(grid, index, k);
     return other != no_triangle && is_hole(grid, other / 2) ? no_triangle : other;
 }
-
-}  // namespace
 
 SurfaceTriangle triangle_of(const TriangleMesh& mesh, std::uint32_t index) {
     const auto& t = mesh.triangles[index];

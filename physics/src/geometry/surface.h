@@ -40,7 +40,8 @@ SurfaceTriangle triangle_of(const TriangleMesh& mesh, std::uint32_t index);
 SurfaceTriangle triangle_of(const HeightGrid& grid, std::uint32_t index);
 SurfaceTriangle triangle_of(const Geometry& surface, std::uint32_t index);
 
-// Edge k runs from corner k to corner k + 1.
+// Edge k runs from corner k to corner k + 1. Returns the triangle across it, or no_triangle.
+std::uint32_t neighbour_of(const Geometry& surface, std::uint32_t index, int k);
 SurfaceEdge edge_of(const Geometry& surface, const SurfaceTriangle& triangle, int k);
 
 inline bool is_hole(const HeightGrid& grid, std::size_t cell) {

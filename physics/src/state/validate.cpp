@@ -376,7 +376,7 @@ Fault check_islands(const ContactGraph& stores) {
         if (island.colour_set.tier == SolverTier::asleep || !exists(island.colour_set))
             return at("islands", i, "has a tier or a batch that does not exist");
         if (!(is_step_length(island.dt) || is_step_length(0.5 * island.dt)) ||
-            island.remaining_load < 0 || island.remaining_load > 1 ||
+            !(island.remaining_load >= 0 && island.remaining_load <= 1) ||
             island.calm > tuning::tier_patience || island.split_at > stores.steps)
             return at("islands", i,
                       "has a step length, load, calm count or split step out of range");

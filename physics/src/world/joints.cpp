@@ -8,6 +8,7 @@
 #include "jostle/base/check.h"
 #include "jostle/physics/joint_fields.h"
 #include "jostle/physics/world.h"
+#include "physics/src/constraint_graph/joint_memory.h"
 #include "physics/src/constraints/joints/angles.h"
 #include "physics/src/constraints/joints/axes_layout.h"
 #include "physics/src/foundation/messages.h"
@@ -66,6 +67,13 @@ constexpr auto display_name = [] {
 Transform frame_in_world(const BodySets& sets, std::uint32_t body, const Transform& frame) {
     if (body == none) return frame;
     return compose(pose_of(warm_of(sets, body), sets.bodies.cold[body]), frame);
+}
+
+// An angle as its limits read it; `slot`: index of its impulses in the joint's memory.
+double limited_angle(double angle, const JointLimit& limit, const Joint& joint, int slot) {
+    const double* const impulses = &joint.memory[as_index(slot) * AxisImpulses::count];
+    return nearest_angle(angle, reference_angle(limit, impulses[AxisImpulses::lower],
+                                                impulses[AxisImpulses::upper]));
 }
 
 }  // namespace
@@ -156,10 +164,12 @@ Result<JointState> World::joint(JointId id) const {
                      .force = j.force,
                      .torque = j.torque,
                      .separation = length(b.position - a.position)};
-    if (std::holds_alternative<HingeJoint>(j.kind))
-        state.angle = hinge_angle(a.rotation, b.rotation);
-    if (std::holds_alternative<ConeTwistJoint>(j.kind)) {
-        state.angle = twist_angle(a.rotation, b.rotation);
+    if (const auto* hinge = std::get_if<HingeJoint>(&j.kind))
+        state.angle = nearest_angle(hinge_angle(a.rotation, b.rotation),
+                                    reference_angle(hinge->limit, j.lower, j.upper));
+    if (const auto* cone = std::get_if<ConeTwistJoint>(&j.kind)) {
+        state.angle = nearest_angle(twist_angle(a.rotation, b.rotation),
+                                    reference_angle(cone->twist, j.lower, j.upper));
         state.swing = swing_angle(a.rotation, b.rotation);
     }
     state.offset = inverse_rotate(a.rotation, b.position - a.position);
@@ -180,8 +190,12 @@ Result<JointState> World::joint(JointId id) const {
         const GimbalAngles turns = pose_of(layout_of(*six), a, b).turns;
         const double angles[] = {turns.first, turns.middle, turns.last};
         const int first = middle_turn(*six->axes) + 2;
-        state.angles = {angles[(3 - first % 3) % 3], angles[(4 - first % 3) % 3],
-                        angles[(5 - first % 3) % 3]};
+        const JointAxis* const axes[] = {&six->axes->rotation_x, &six->axes->rotation_y,
+                                         &six->axes->rotation_z};
+        const auto angle_about = [&](int own) {
+            return limited_angle(angles[(3 + own - first % 3) % 3], axes[own]->limit, j, 3 + own);
+        };
+        state.angles = {angle_about(0), angle_about(1), angle_about(2)};
     }
     if (const auto* wheel = std::get_if<WheelJoint>(&j.kind)) {
         WheelJoint straight = *wheel;
@@ -189,7 +203,8 @@ Result<JointState> World::joint(JointId id) const {
         const GimbalAngles turns = pose_of(layout_of(straight), a, b).turns;
         state.travel = state.offset.y;
         state.angle = turns.last;
-        state.angles = {0, turns.first, turns.last};
+        const JointLimit steering = wheel->free_steering ? wheel->steering_limit : JointLimit{};
+        state.angles = {0, limited_angle(turns.first, steering, j, 1), turns.last};
     }
     return state;
 }

@@ -49,7 +49,10 @@ TEST(Settings, errors_name_the_setting_and_its_accepted_range) {
               "height is 4; it must be from 0.3 to 3");
     EXPECT_EQ(craft.error_of({.numbers = {{"lights", 0.5}}}), "lights is 0.5; it must be 0 or 1");
     EXPECT_EQ(craft.error_of({.numbers = {{"hieght", 1}}}),
-              "unknown setting hieght; must be one of: height, speed, lights");
+              "unknown setting hieght; must be one of: height, speed, lights; did you mean "
+              "\"height\"?");
+    EXPECT_EQ(craft.error_of({.numbers = {{"mass", 1}}}),
+              "unknown setting mass; must be one of: height, speed, lights");
     EXPECT_EQ(craft.error_of({.bodies = {{"craft", BodyId{7, 1}}}}),
               "unknown body setting craft; must be one of: hull");
     EXPECT_EQ(craft.error_of({.numbers = {{"speed", 21}, {"height", 9}}}),

@@ -101,5 +101,29 @@ TEST(MeshBuilder, coincident_vertices_are_merged_for_adjacency) {
     EXPECT_NE(fin->content_hash, square->content_hash);
 }
 
+// A square of two triangles, each with its own corners, up to 0.01 mm from their places.
+TEST(MeshBuilder, vertices_within_a_hundredth_of_a_millimetre_are_one) {
+    const double d = 1e-5;
+    const std::vector<Vec3> vertices{{d, -d, 0},     {-d, d, 1}, {1, d, d},
+                                     {1 - d, -d, 0}, {d, 0, 1},  {1, d, 1 + d}};
+    const auto square = must(build_mesh(vertices, Triangles{{0, 1, 2}, {3, 4, 5}}));
+    EXPECT_EQ(square->neighbours[0], (std::array<std::uint32_t, 3>{no_triangle, 1, no_triangle}));
+    EXPECT_EQ(square->vertices[0], (Vec3{d, -d, 0}));
+    // In a mesh of 0.1 mm the same distance is a feature.
+    std::vector<Vec3> tiny = vertices;
+    for (Vec3& v : tiny)
+        v = {std::round(v.x) * 1e-4 + d * (v.x - std::round(v.x)) / d, 0, std::round(v.z) * 1e-4};
+    EXPECT_EQ(must(build_mesh(tiny, Triangles{{0, 1, 2}, {3, 4, 5}}))->neighbours[0][1],
+              no_triangle);
+}
+
+TEST(MeshBuilder, repeated_triangles_are_dropped) {
+    const std::vector<Vec3> vertices{{0, 0, 0}, {0, 0, 1}, {1, 0, 0}, {1, 0, 1}, {0, 0, 1}};
+    const auto square = must(
+        build_mesh(vertices, Triangles{{0, 1, 2}, {1, 2, 0}, {2, 1, 3}, {2, 1, 0}, {2, 3, 4}}));
+    EXPECT_EQ(square->triangles, (Triangles{{0, 1, 2}, {2, 1, 3}}));
+    EXPECT_EQ(square->neighbours[0][1], 1u);
+}
+
 }  // namespace
 }  // namespace jostle::test

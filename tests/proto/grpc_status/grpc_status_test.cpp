@@ -24,6 +24,23 @@ TEST(GrpcStatus, round_trips_success) {
     EXPECT_TRUE(from_grpc(grpc::Status::OK).ok());
 }
 
+TEST(GrpcStatus, reads_the_time_to_retry_of_the_details) {
+    google::rpc::RetryInfo retry;
+    retry.mutable_retry_delay()->set_seconds(2);
+    retry.mutable_retry_delay()->set_nanos(345'600'000);
+    google::rpc::Status details;
+    details.add_details()->PackFrom(google::rpc::ErrorInfo());
+    details.add_details()->PackFrom(retry);
+    const auto ms_of = [](const std::string& bytes) {
+        return from_grpc({grpc::StatusCode::RESOURCE_EXHAUSTED, "later", bytes})
+            .error()
+            .retry_after_ms;
+    };
+    EXPECT_EQ(ms_of(details.SerializeAsString()), 2346) << "rounded up";
+    EXPECT_EQ(ms_of(""), 0);
+    EXPECT_EQ(ms_of("not a message"), 0);
+}
+
 TEST(GrpcStatus, unknown_codes_become_internal_and_empty_messages_are_replaced) {
     const Status odd = from_grpc({grpc::StatusCode::DATA_LOSS, ""});
     EXPECT_EQ(odd.error().code, ErrorCode::internal);

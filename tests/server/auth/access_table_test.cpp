@@ -168,9 +168,10 @@ std::map<std::string, Expected> expected_permissions() {
         {Role::admin,
          world,
          {"jostle.v1.AdminService/SetPaused", "jostle.v1.AdminService/StepWorld",
-          "jostle.v1.AdminService/ExportWorld", "jostle.v1.AdminService/RemoveBodies",
-          "jostle.v1.AdminService/RewindWorld", "jostle.v1.AdminService/UndoClient",
-          "jostle.v1.AdminService/Profile", "GET /debug/profile"}},
+          "jostle.v1.AdminService/ExportWorld", "jostle.v1.AdminService/DownloadWorld",
+          "jostle.v1.AdminService/RemoveBodies", "jostle.v1.AdminService/RewindWorld",
+          "jostle.v1.AdminService/UndoClient", "jostle.v1.AdminService/Profile",
+          "GET /debug/profile"}},
     };
     std::map<std::string, Expected> expected;
     for (const auto& [role, object, calls] : groups)

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "jostle/scenes/catalog.h"
@@ -86,10 +87,42 @@ TEST_F(HttpRoutesTest, reports_the_errors_of_a_scene_with_positions) {
         "line 3, column 22: scene.bodies[0].mass: -1 is out of range; it must be from 1e-09 to "
         "1e+15\n"
         "bodies[0].shapes: is empty; it must have at least one shape");
+    const std::string of_module = message_of(
+        "{\"scene\": {\"name\": \"a\", \"modules\": [\n"
+        " {\"tag\": \"fields\", \"settings\": {\"waves_levle\": 1}}]}}");
+    EXPECT_TRUE(of_module.starts_with(
+        "line 2, column 2: scene.modules[0] 'fields': unknown setting waves_levle"))
+        << of_module;
+    EXPECT_TRUE(of_module.ends_with("; did you mean \"waves_level\"?")) << of_module;
     EXPECT_EQ(
         send("POST", "/api/worlds", R"({"scene": {"$schema": "scene.schema.json", "name": "a"}})")
             .status,
         201);
+}
+
+// The balance of a player is 0.1 ms of processor time.
+TEST_F(HttpRoutesTest, refuses_queries_beyond_the_share_of_a_player_with_a_time_to_retry) {
+    config.quota.query_share = 1e-4;
+    const QueryControl limited(context);
+    const HttpRoutes of_limited(control, limited, {.web_root = "/nonexistent"});
+    HttpRequest request;
+    request.method = "POST";
+    request.target = "/api/query/CastRays";
+    request.host = "localhost:8080";
+    request.content_type = "application/json";
+    request.body = R"({"rays": [{"origin": {"y": 50}, "motion": {"y": -60}}]})";
+    request.address = "192.0.2.1";
+    HttpResponse response = of_limited.handle(request);
+    EXPECT_EQ(response.status, 200) << response.body;
+    response = of_limited.handle(request);
+    EXPECT_EQ(response.status, 429) << response.body;
+    EXPECT_EQ(code_of(response), "RESOURCE_EXHAUSTED");
+    EXPECT_GE(nlohmann::json::parse(response.body).at("retryAfterMs"), 100);
+    EXPECT_TRUE(std::ranges::any_of(response.headers, [](const auto& header) {
+        return header.first == "Retry-After" && std::stoi(header.second) >= 1;
+    }));
+    request.address = "198.51.100.1";
+    EXPECT_EQ(of_limited.handle(request).status, 200) << "another player";
 }
 
 TEST_F(HttpRoutesTest, creates_and_deletes_worlds) {

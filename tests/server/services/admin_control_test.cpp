@@ -230,6 +230,59 @@ TEST_F(AdminControlTest, exports_a_valid_scene) {
     EXPECT_EQ(error_of(control.export_world(request, response)).code, ErrorCode::not_found);
 }
 
+TEST_F(AdminControlTest, an_export_can_be_downloaded_in_pieces) {
+    v1::DownloadWorldRequest request;
+    v1::DownloadWorldResponse response;
+    request.set_world("other");
+    ASSERT_TRUE(control.download_world(request, response).ok());
+    request.set_id(response.id());
+    std::string bytes = response.data();
+    EXPECT_EQ(response.bytes(), bytes.size());
+    v1::DownloadWorldRequest second;
+    second.set_world("other");
+    v1::DownloadWorldResponse ignored;
+    const Error busy = error_of(control.download_world(second, ignored));
+    EXPECT_EQ(busy.code, ErrorCode::resource_exhausted);
+    EXPECT_EQ(busy.retry_after_ms, 1000);
+    request.set_offset(bytes.size());
+    ASSERT_TRUE(control.download_world(request, response).ok());
+    EXPECT_TRUE(response.data().empty()) << "the end";
+    v1::ExportWorldResponse exported;
+    ASSERT_TRUE(exported.ParseFromString(bytes));
+    EXPECT_TRUE(scenes::from_message(exported.scene()).ok());
+    EXPECT_EQ(error_of(control.download_world(request, response)).code, ErrorCode::not_found)
+        << "an export is deleted when it was read";
+}
+
+TEST(ExportDownload, has_pieces_of_1_mib_and_is_deleted_if_nobody_reads_it) {
+    ExportDownload download;
+    const Clock::time_point start = Clock::now();
+    std::string bytes(std::size_t{5} << 19, 'x');
+    bytes.back() = 'y';
+    const auto first = download.begin("w1", bytes, start);
+    ASSERT_TRUE(first.ok());
+    EXPECT_EQ(first->bytes, bytes.size());
+    std::string read = first->data;
+    EXPECT_EQ(read.size(), std::size_t{1} << 20);
+    EXPECT_EQ(error_of(download.read("w2", first->id, 0, start)).code, ErrorCode::not_found)
+        << "the export of another world";
+    EXPECT_EQ(error_of(download.read("w1", first->id, bytes.size() + 1, start)).code,
+              ErrorCode::invalid_argument);
+    for (;;) {
+        const auto piece = download.read("w1", first->id, read.size(), start);
+        ASSERT_TRUE(piece.ok());
+        if (piece->data.empty()) break;
+        read += piece->data;
+    }
+    EXPECT_TRUE(read == bytes);
+
+    const auto second = download.begin("w1", "z", start);
+    ASSERT_TRUE(second.ok());
+    EXPECT_FALSE(download.begin("w2", "z", start + std::chrono::seconds(9)).ok());
+    download.remove_idle(start + std::chrono::seconds(11));
+    EXPECT_EQ(error_of(download.read("w1", second->id, 0, start)).code, ErrorCode::not_found);
+}
+
 TEST_F(AdminControlTest, profiles_for_the_requested_duration) {
     v1::ProfileRequest request;
     v1::ProfileResponse response;

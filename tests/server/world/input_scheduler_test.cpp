@@ -145,6 +145,8 @@ TEST(InputScheduler, an_input_that_waited_half_a_second_is_refused_with_a_time_t
     EXPECT_EQ(refused[0].status.error().code, ErrorCode::resource_exhausted);
     EXPECT_NE(refused[0].status.error().message.find("retry after 0."), std::string::npos)
         << refused[0].status.error().message;
+    EXPECT_GE(refused[0].status.error().retry_after_ms, 100);
+    EXPECT_LT(refused[0].status.error().retry_after_ms, 1000);
     EXPECT_EQ(scheduler.waiting(), 0u);
 }
 

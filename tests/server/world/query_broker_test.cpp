@@ -51,6 +51,28 @@ TEST(QueryBroker, accepts_copies_up_to_three_ticks_old) {
     EXPECT_NEAR(to_ms(Clock::now() - begin), 250, 100) << "the longest that anyone waits";
 }
 
+TEST(QueryBroker, expensive_copies_are_made_in_fewer_ticks) {
+    QueryBroker desk(1e-3);
+    const auto now = Clock::now();
+    desk.request(copy_shapes, now);
+    int copies = 0;
+    std::uint32_t tick = 1;
+    for (; tick <= 100; tick++) {
+        if (desk.begin_tick(tick, now) == 0) continue;
+        desk.put(copy_with(copy_shapes, tick));
+        desk.charge(5e-3);
+        copies++;
+    }
+    EXPECT_NEAR(copies, 20, 1);
+    EXPECT_NE(desk.acquire(copy_shapes), nullptr) << "the last copy is usable up to the next one";
+    QueryBroker cheap(1e-3);
+    cheap.request(copy_shapes, now);
+    for (tick = 1; tick <= 100; tick++) {
+        EXPECT_EQ(cheap.begin_tick(tick, now), copy_shapes);
+        cheap.charge(0.9e-3);
+    }
+}
+
 TEST(QueryBroker, rejects_copies_without_the_requested_layer) {
     QueryBroker desk;
     desk.put(copy_with(copy_contacts, 10));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // jostlectl against a real server, both as child processes: commands and their output.
+#include <grpcpp/grpcpp.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 #include <unistd.h>
@@ -11,6 +12,10 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "google/rpc/error_details.pb.h"
+#include "google/rpc/status.pb.h"
+#include "jostle/v1/admin.grpc.pb.h"
+#include "jostle/v1/world.grpc.pb.h"
 #include "tests/system/player.h"
 #include "tests/system/server_process.h"
 
@@ -101,6 +106,95 @@ TEST_F(CtlTest, creates_again_what_it_exported_beyond_4_mib) {
     ASSERT_EQ(run("world create again --file " + file("copy.json")), 0) << err;
     ASSERT_EQ(run("export again " + file("again.json")), 0) << err;
     EXPECT_TRUE(read(file("again.json")) == read(file("copy.json")));
+
+    // With the default limits of gRPC: too large in one message, but not in pieces.
+    const auto channel =
+        grpc::CreateChannel(server.grpc_address(), grpc::InsecureChannelCredentials());
+    const auto admin = v1::AdminService::NewStub(channel);
+    v1::ExportWorldRequest whole;
+    whole.set_world("big");
+    v1::ExportWorldResponse exported;
+    grpc::ClientContext too_large;
+    EXPECT_EQ(admin->ExportWorld(&too_large, whole, &exported).error_code(),
+              grpc::StatusCode::RESOURCE_EXHAUSTED);
+    v1::DownloadWorldRequest request;
+    request.set_world("big");
+    std::string bytes;
+    for (;;) {
+        v1::DownloadWorldResponse piece;
+        grpc::ClientContext context;
+        const grpc::Status status = admin->DownloadWorld(&context, request, &piece);
+        ASSERT_TRUE(status.ok()) << status.error_message();
+        if (piece.data().empty()) break;
+        bytes += piece.data();
+        request.set_id(piece.id());
+        request.set_offset(bytes.size());
+    }
+    EXPECT_GT(bytes.size(), std::size_t{4} << 20);
+    ASSERT_TRUE(exported.ParseFromString(bytes));
+    v1::CreateWorldRequest create;
+    create.set_name("third");
+    *create.mutable_scene() = exported.scene();
+    v1::CreateWorldResponse created;
+    grpc::ClientContext context;
+    const auto worlds = v1::WorldService::NewStub(channel);
+    const grpc::Status status = worlds->CreateWorld(&context, create, &created);
+    EXPECT_TRUE(status.ok()) << status.error_message();
+    EXPECT_EQ(created.world().bodies(), 1u);
+}
+
+TEST_F(CtlTest, a_scene_as_text_has_errors_with_positions) {
+    const auto worlds = v1::WorldService::NewStub(
+        grpc::CreateChannel(server.grpc_address(), grpc::InsecureChannelCredentials()));
+    v1::CreateWorldRequest request;
+    v1::CreateWorldResponse created;
+    request.set_scene_json("{\"name\": \"a\",\n \"bodys\": []}");
+    grpc::ClientContext wrong;
+    EXPECT_EQ(worlds->CreateWorld(&wrong, request, &created).error_message(),
+              "line 2, column 11: bodys: unknown field; did you mean \"bodies\"?");
+    // As many errors, and as long, as a response may have.
+    std::string many = "{\"name\": \"a\", \"bodies\": [\n";
+    for (int i = 0; i < 30; i++)
+        many += (i == 0 ? "" : ",\n") + std::string("{\"") + std::string(60, 'x') + "\": 1}";
+    request.set_scene_json(many + "]}");
+    grpc::ClientContext long_one;
+    const grpc::Status status = worlds->CreateWorld(&long_one, request, &created);
+    EXPECT_EQ(status.error_code(), grpc::StatusCode::INVALID_ARGUMENT) << status.error_message();
+    EXPECT_TRUE(status.error_message().ends_with("more errors may follow"));
+    google::rpc::Status details;
+    google::rpc::BadRequest violations;
+    ASSERT_TRUE(details.ParseFromString(status.error_details()));
+    ASSERT_TRUE(details.details(1).UnpackTo(&violations));
+    EXPECT_GE(violations.field_violations_size(), 6);
+    EXPECT_EQ(violations.field_violations(1).field(), "bodies[1]." + std::string(60, 'x'));
+    request.set_scene_json(R"({"name": "a", "$schema": "scene.schema.json"})");
+    grpc::ClientContext good;
+    EXPECT_TRUE(worlds->CreateWorld(&good, request, &created).ok());
+}
+
+// Errors that the client finds, that the scene reader of the server finds, and that a module finds.
+TEST_F(CtlTest, reports_the_errors_of_a_scene_with_positions) {
+    write("fields.json", "{\"name\": \"a\",\n \"bodys\": [],\n \"world\": {\"gravty\": 1}}");
+    EXPECT_EQ(run("world create bad --file " + file("fields.json")), 2);
+    const std::string fields = file("fields.json") + ": line ";
+    EXPECT_TRUE(complains(fields + "2, column 11: bodys: unknown field; did you mean \"bodies\"?"))
+        << err;
+    EXPECT_TRUE(
+        complains(fields + "3, column 22: world.gravty: unknown field; did you mean \"gravity\"?"))
+        << err;
+    write("values.json",
+          "{\"name\": \"a\",\n \"world\": {\"hz\": 1},\n \"bodies\": [{\"mass\": -1}]}");
+    EXPECT_EQ(run("world create bad --file " + file("values.json")), 1);
+    const std::string values = file("values.json") + ": line ";
+    EXPECT_TRUE(complains(values + "2, column 18: world.hz: 1 is out of range")) << err;
+    EXPECT_TRUE(complains(values + "3, column 22: bodies[0].mass: -1 is out of range")) << err;
+    write("modules.json",
+          "{\"name\": \"a\", \"modules\": [\n  {\"tag\": \"fields\", \"settings\": "
+          "{\"waves_levle\": 1}}]}");
+    EXPECT_EQ(run("world create bad --file " + file("modules.json")), 1);
+    EXPECT_TRUE(complains(file("modules.json") + ": line 2, column 3: modules[0] 'fields': "))
+        << err;
+    EXPECT_TRUE(complains("did you mean \"waves_level\"?")) << err;
 }
 
 TEST_F(CtlTest, lists_creates_and_deletes_worlds) {
@@ -219,7 +313,8 @@ TEST_F(CtlTest, creates_a_world_from_an_exported_scene) {
     EXPECT_TRUE(complains("cannot write /nowhere/x.json")) << err;
     write("bad.json", "{\"bodies\": 7");
     EXPECT_EQ(run("world create bad --file " + file("bad.json")), 2);
-    EXPECT_TRUE(complains("is not a scene file")) << err;
+    EXPECT_TRUE(complains(file("bad.json") + ": not valid JSON: parse error at line 1, column 13"))
+        << err;
 }
 
 TEST_F(CtlTest, restores_and_rewinds_a_persisted_world) {

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Block-sparse L D L^T of a symmetric, positive semi-definite matrix in double, for groups of
-// joints and for modules that solve systems of their own. The pattern is analysed once and reused
-// for every matrix with that pattern (A. George, J. Liu, "Computer solution of large sparse
-// positive definite systems", 1981; T. Davis, "Direct methods for sparse linear systems", 2006).
+// Block-sparse L D L^T of a symmetric, positive semi-definite or quasi-definite matrix in double,
+// for groups of joints and for modules that solve systems of their own. The pattern is analysed
+// once and reused for every matrix with that pattern (A. George, J. Liu, "Computer solution of
+// large sparse positive definite systems", 1981; T. Davis, "Direct methods for sparse linear
+// systems", 2006).
 //
 // A node is a group of rows. An edge means that the matrix couples two nodes. Trees and chains have
 // no fill-in, so factor and solve take time proportional to the number of nodes. Dependent rows, as
@@ -25,12 +26,18 @@ class BlockLdl {
 public:
     static constexpr int max_rows = 8;  ///< per node
     using Edge = std::pair<int, int>;
+    /// The sign of a node's diagonal block. Negative nodes make the matrix quasi-definite (R.
+    /// Vanderbei, 1995). A node that is positive only after the elimination of a negative neighbour
+    /// waits for it.
+    enum class Sign : std::uint8_t { positive, negative, waits };
 
     /// Orders the elimination by minimum degree, then by number. Edges may occur more than once, in
     /// either direction. Returns false, and the object is then unusable, if a factorisation would
     /// take more than `max_work` multiplications. Precondition: 1 to max_rows rows per node.
+    /// `signs`: indexed by node; empty if all nodes are positive.
     bool analyze(std::span<const int> rows_of_node, std::span<const Edge> edges,
-                 std::int64_t max_work = std::numeric_limits<std::int64_t>::max());
+                 std::int64_t max_work = std::numeric_limits<std::int64_t>::max(),
+                 std::span<const Sign> signs = {});
 
     int nodes() const { return static_cast<int>(rows_.size()); }
     int rows() const { return begin_.empty() ? 0 : begin_.back(); }
@@ -82,7 +89,7 @@ private:
     }
     int find(int row, int column) const;  // in elimination order
     std::vector<int> order_by_degree(std::span<const int> rows_of_node, std::span<const Edge> edges,
-                                     std::int64_t max_work) const;
+                                     std::int64_t max_work, std::span<const Sign> signs) const;
     void fill(std::span<const Edge> edges, const std::vector<int>& order);
     void count_work();
     void lay_out();
@@ -94,6 +101,7 @@ private:
     std::vector<int> position_;  // indexed by node
     // In elimination order.
     std::vector<int> rows_, begin_, diagonal_, first_below_, first_update_;
+    std::vector<std::uint8_t> negative_;    // empty if no node is
     std::vector<std::vector<int>> filled_;  // positions below each node
     std::vector<Below> below_;
     std::vector<Update> updates_;

@@ -304,7 +304,9 @@ struct JointState {
     JointDef def;      ///< description with the current parameters
     Vec3 force = {};   ///< force on b, N, world; mean of the last step
     Vec3 torque = {};  ///< torque on b, N m, world; mean of the last step
-    double angle = 0;  ///< rad; hinge angle, twist of a cone-twist joint, spin of a wheel
+    /// rad; hinge angle, twist of a cone-twist joint, spin of a wheel. Within half a turn of the
+    /// middle of its limits, otherwise -pi..pi.
+    double angle = 0;
     double swing = 0;  ///< rad; swing of a cone-twist joint
     /// Distance between the origins of the frames, in m. Distance joint: the current length. Path
     /// joint: the distance from the curve.

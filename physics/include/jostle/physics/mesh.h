@@ -31,14 +31,16 @@ struct TriangleMesh {
     /// neighbours[t][k] is the triangle across edge k of triangle t, from corner k to corner k + 1;
     /// 0xffffffff if there is none or more than one.
     std::vector<std::array<std::uint32_t, 3>> neighbours;
+    double weld_gap = 0;              ///< m: largest distance between vertices that count as one
     std::shared_ptr<const Bvh> tree;  ///< bounding volume hierarchy of the triangles
     Aabb bounds;                      ///< in the local frame
     std::uint64_t content_hash = 0;   ///< equal for equal contents
 };
 
 /// Builds a mesh of 1 to max_mesh_triangles triangles. Coordinates are within max_shape_size.
-/// Vertices at the same position count as one for adjacency. Degenerate triangles (narrower than
-/// 1e-9 of the mesh's size) are dropped.
+/// Vertices within 0.04 mm or 2e-6 of the mesh's size, but at most a fiftieth of the shortest edge
+/// at them, count as one for adjacency. Degenerate triangles (narrower than 1e-9 of the mesh's
+/// size) and repetitions of a triangle, in either winding, are dropped.
 ///
 /// Errors: invalid_argument, naming the vertex or the triangle.
 Result<std::shared_ptr<const TriangleMesh>> build_mesh(

@@ -72,6 +72,10 @@ struct StepProfile {
     int joints_batched = 0;  ///< part of joints: points solved directly, with contacts
     /// Part of joints: those that requested JointSolver::direct but were solved iteratively.
     int joints_direct_fallback = 0;
+    /// Sub-steps of directly solved groups: energy-momentum steps, because the joint forces
+    /// oscillate too fast for h or the energy changed; halved steps; and first-order steps as the
+    /// last resort.
+    int joint_energy_steps = 0, joint_halvings = 0, joint_last_resorts = 0;
     std::int64_t body_substeps = 0;  ///< sub-steps, summed over bodies_in_solver
     /// Additional body sub-steps that measured the error, in a world with a tolerance.
     std::int64_t trial_substeps = 0;

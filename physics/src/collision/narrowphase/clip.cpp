@@ -212,22 +212,28 @@ bool add_side_by_side(Sink& sink, const Feature& fa, const Feature& fb, Vec3 n) 
     return true;
 }
 
-// A capsule that lies along an edge of a polyhedron. With a single point it would rock from end to
-// end.
+// A capsule that lies along the edge of a polyhedron that contains the witness. With a single point
+// it would rock from end to end.
 bool add_along_edge(Sink& sink, const Convex& a, const Convex& b, const Feature& fa,
-                    const Feature& fb, Vec3 n) {
-    const auto edge = [](const Convex& shape, Vec3 d, Vec3 u) {
+                    const Feature& fb, const Witness& witness) {
+    const Vec3 n = witness.normal;
+    const double near = 1e-3 * (sink.radius_a + sink.radius_b);
+    const auto edge = [&](const Convex& shape, Vec3 d, Vec3 u, Vec3 at) {
         Feature f = edge_of_polyhedron(shape, transposed_times(shape.axes, d),
                                        transposed_times(shape.axes, u));
         for (int k = 0; k < f.count; k++) f.corner[k] = shape.position + shape.axes * f.corner[k];
+        // Another edge of a nearly horizontal face may be higher.
+        if (f.count == 2 && length(cross(at - f.corner[0], f.corner[1] - f.corner[0])) >
+                                near * length(f.corner[1] - f.corner[0]))
+            f.count = 0;
         return f;
     };
     if (a.core == Core::segment && is_polyhedron(b)) {
-        const Feature eb = edge(b, -n, fa.corner[1] - fa.corner[0]);
+        const Feature eb = edge(b, -n, fa.corner[1] - fa.corner[0], witness.on_b);
         return eb.count == 2 && add_side_by_side(sink, fa, eb, n);
     }
     if (b.core == Core::segment && is_polyhedron(a)) {
-        const Feature ea = edge(a, n, fb.corner[1] - fb.corner[0]);
+        const Feature ea = edge(a, n, fb.corner[1] - fb.corner[0], witness.on_a);
         return ea.count == 2 && add_side_by_side(sink, ea, fb, n);
     }
     return false;
@@ -288,7 +294,7 @@ ContactPoints contact_points(const Convex& a, const Convex& b, const Witness& wi
         const double least = fa.count == 2 || fb.count == 2 ? 0.995 : 0.5;
         const bool on_face = maximum(alignment_a, alignment_b) > 1 - 1e-9;
         bool side_by_side =
-            !on_face && witness.distance > 0 && add_along_edge(sink, a, b, fa, fb, n);
+            !on_face && witness.distance > 0 && add_along_edge(sink, a, b, fa, fb, witness);
         if (!side_by_side && maximum(alignment_a, alignment_b) >= least) {
             if (alignment_a >= alignment_b - 1e-9)
                 add_clipped(sink, fa, fb, n, true);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "physics/src/collision/narrowphase/manifold.h"
+#include "physics/src/collision/narrowphase/seams.h"
 #include "physics/src/collision/narrowphase/surface_motion.h"
 #include "physics/src/geometry/transformed_shape.h"
 
@@ -31,9 +32,12 @@ inline bool is_composite(ShapeKind kind) {
 // `stopped`: polled between parts. If it is set, parts are missing.
 // `motion`: motion of the shape that is not a surface. Triangles that it does not approach are
 // skipped.
-void collide_composite(const TransformedShape& a, const TransformedShape& b, double margin,
+// `neighbours`: shapes whose seams with these do not produce contacts; null if there are none.
+// Returns whether a neighbour covers a contact (seams.h).
+bool collide_composite(const TransformedShape& a, const TransformedShape& b, double margin,
                        std::vector<ChildManifold>& out, const std::atomic<bool>* stopped = nullptr,
-                       const SurfaceMotion* motion = nullptr);
+                       const SurfaceMotion* motion = nullptr,
+                       const SeamNeighbours* neighbours = nullptr);
 
 // Returns whether two shapes of any kind share a point.
 bool shapes_overlap(const TransformedShape& a, const TransformedShape& b);

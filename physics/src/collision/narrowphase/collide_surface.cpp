@@ -7,6 +7,7 @@
 #include "jostle/base/check.h"
 #include "physics/src/collision/narrowphase/collide_convex.h"
 #include "physics/src/collision/narrowphase/gjk.h"
+#include "physics/src/collision/narrowphase/seams.h"
 #include "physics/src/collision/narrowphase/triangle.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/geometry/hull_lanes.h"
@@ -39,34 +40,52 @@ struct HeldTriangle {
 
 // Returns whether an edge allows a contact normal n. `outward` lies in the triangle's plane; `face`
 // is its normal on the shape's side.
-bool edge_allows(const SurfaceEdge& edge, Vec3 face, double side, Vec3 outward, Vec3 n) {
+bool edge_allows(const SurfaceEdge& edge, Vec3 face, double side, Vec3 outward, Vec3 n,
+                 double slack) {
     const double up = dot(n, face), out = dot(n, outward);
     ASSERT(side == 1 || side == -1);
-    if (out < -tuning::edge_slack) return false;  // leans inward: the face itself pushes
-    if (edge.border) return up > -tuning::edge_slack;
-    if (edge.fold * side > -1e-4 * edge.reach) return out < tuning::edge_slack;  // flat or concave
+    if (out < -slack) return false;  // leans inward: the face itself pushes
+    if (edge.border) return up > -slack;
+    if (edge.fold * side > -1e-4 * edge.reach) return out < slack;  // flat or concave
     // Convex fold: any direction between the normals of the two faces is allowed.
     const Vec3 other = edge.normal * side;
     const double other_up = dot(other, face), other_out = dot(other, outward);
-    return out * other_up - up * other_out <
-           tuning::edge_slack;  // sine of the angle beyond the other normal
+    return out * other_up - up * other_out < slack;  // sine of the angle beyond the other normal
+}
+
+// A normal closer to a face normal than this acts like it.
+constexpr double facing = 1 - 1e-9;
+
+// Calls visit(edge, outward) for the edges of a triangle at the point `at`. `outward` lies in the
+// triangle's plane. Returns false as soon as visit() does.
+template <class Visit>
+bool for_each_edge_at(const SurfaceTriangle& t, Vec3 front, Vec3 at, Visit&& visit) {
+    for (int k = 0; k < 3; k++) {
+        const Vec3 from = t.corner[k], along = t.corner[(k + 1) % 3] - from;
+        const Vec3 outward = normalized(cross(along, front));
+        const double height = length(cross(along, t.corner[(k + 2) % 3] - from)) / length(along);
+        if (dot(at - from, outward) >= -1e-4 * height && !visit(k, outward)) return false;
+    }
+    return true;
+}
+
+// Returns whether the point `at` of a triangle is on an edge without a neighbour.
+bool is_on_border(const Geometry& surface, const SurfaceTriangle& t, Vec3 at) {
+    return !for_each_edge_at(t, normal_of(t), at,
+                             [&](int k, Vec3) { return !edge_of(surface, t, k).border; });
 }
 
 // Returns whether the contact normal n is allowed at the point `at` of the triangle.
 bool may_act(const Geometry& surface, const SurfaceTriangle& t, Vec3 face, double side, Vec3 at,
-             Vec3 n) {
-    if (dot(n, face) > 0.99995) return true;
+             Vec3 n, double slack) {
+    if (dot(n, face) > facing) return true;
     ASSERT(is_unit(face, 1e-5) && is_unit(n, 1e-5));
     bool on_edge = false;
-    for (int k = 0; k < 3; k++) {
-        const Vec3 from = t.corner[k], along = t.corner[(k + 1) % 3] - from;
-        const Vec3 outward = normalized(cross(along, face * side));
-        const double height = length(cross(along, t.corner[(k + 2) % 3] - from)) / length(along);
-        if (dot(at - from, outward) < -1e-4 * height) continue;
+    const bool allowed = for_each_edge_at(t, face * side, at, [&](int k, Vec3 outward) {
         on_edge = true;
-        if (!edge_allows(edge_of(surface, t, k), face, side, outward, n)) return false;
-    }
-    return on_edge;
+        return edge_allows(edge_of(surface, t, k), face, side, outward, n, slack);
+    });
+    return on_edge && allowed;
 }
 
 // The motion of a shape in the surface's frame, with the shape's position as the origin. Bounds the
@@ -117,7 +136,7 @@ class SurfacePair {
 public:
     SurfacePair(const TransformedShape& surface, const TransformedShape& convex, double margin,
                 const SurfaceMotion* motion = nullptr)
-        : surface_(surface), margin_(margin) {
+        : surface_(surface), margin_(margin), seams_(convex, surface.axes) {
         // In the surface's frame, with the shape's position as the origin.
         origin_ = transposed_times(surface.axes, convex.position - surface.position);
         const Mat3 axes = transpose(surface.axes) * convex.axes;
@@ -133,6 +152,9 @@ public:
         box_ = {box_.low + origin_, box_.high + origin_};
         ASSERT(!(margin_ < 0) && !(shape_.radius < 0));
         size_ = size_of(shape_);
+        if (const auto* mesh = std::get_if<Mesh>(surface.geometry))
+            crack_ = minimum(mesh->data->weld_gap, tuning::even_ground * size_);
+        edge_slack_ += crack_ / (shape_.radius > 0 ? shape_.radius : size_);
         middle_ = middle_of(shape_);
     }
 
@@ -148,7 +170,14 @@ public:
         return any;
     }
 
-    void collide(std::vector<Manifold>& out) {
+    void add_neighbours(const std::vector<TransformedShape>& neighbours) {
+        for (const TransformedShape& neighbour : neighbours)
+            if (neighbour.geometry != surface_.geometry || neighbour.position != surface_.position)
+                seams_.add(neighbour);
+    }
+
+    // Returns whether a neighbour covers a contact.
+    bool collide(std::vector<Manifold>& out) {
         for_each_triangle(*surface_.geometry, box_, [&](const SurfaceTriangle& t) { add(t); });
         add_uncovered_triangles();
         // Deepest first: the normal of a piece is the normal of its deepest triangle.
@@ -172,6 +201,7 @@ public:
                 m.point[k] = surface_.position + surface_.axes * (m.point[k] + origin_);
             out.push_back(m);
         }
+        return covered_;
     }
 
 private:
@@ -233,6 +263,7 @@ private:
     void add(const SurfaceTriangle& t) {
         const Vec3 corner[3] = {t.corner[0] - origin_, t.corner[1] - origin_,
                                 t.corner[2] - origin_};
+        if (shape_.core == Core::point && add_below_point(t, corner)) return;
         const Vec3 front = normal_of(t);
         // Fast rejection: the shape does not reach the plane.
         const double reach = shape_.radius + margin_;
@@ -258,7 +289,16 @@ private:
         const double side = is_behind(t, corner, w) ? -1 : 1;
         const Vec3 face = front * side;
         Patch patch{.normal = w.normal, .triangle = t.index, .points = {}};
-        if (may_act(*surface_.geometry, t, face, side, w.on_a + origin_, w.normal)) {
+        const bool allowed =
+            may_act(*surface_.geometry, t, face, side, w.on_a + origin_, w.normal, edge_slack_);
+        const std::optional<Vec3> cover =
+            covering_normal(t, triangle, w.on_a, w.normal, gap_of(w), face);
+        if (cover) {
+            covered_ = true;
+            if (dot(*cover, face) < tuning::same_piece) return;
+            patch.normal = face;
+            patch.points = points_over_face(triangle, shape_, face, margin_);
+        } else if (allowed) {
             patch.points = contact_points(triangle, shape_, w, margin_);
         } else {
             patch.normal = face;
@@ -267,14 +307,68 @@ private:
             double nearest = 1e300;
             for (int k = 0; k < patch.points.count; k++)
                 nearest = minimum(nearest, patch.points.gap[k]);
-            if (nearest > gap_of(w) + slack())
+            if (nearest > gap_of(w) + slack() && w.distance > 0) {
+                // Cores are apart: the point acts if no other triangle is nearer, as on a peak.
+                if (is_nearest(t, nearest_on_triangle(corner, w.on_a), w.normal)) {
+                    patch.normal = w.normal;
+                    patch.points = contact_points(triangle, shape_, w, margin_);
+                }
+            } else if (nearest > gap_of(w) + slack()) {
                 held_.push_back({{corner[0], corner[1], corner[2]},
                                  w,
                                  nearest_on_triangle(corner, w.on_a),
                                  t.index,
                                  dot(w.normal, face) <= 0});
+            }
         }
         if (patch.points.count > 0) add_patch(patch, corner);
+    }
+
+    // The normal of a neighbour that covers the contact with a triangle at a point of its edge: of
+    // another shape, or of another triangle if the edge has no neighbour that could tell.
+    std::optional<Vec3> covering_normal(const SurfaceTriangle& t, const Convex& triangle, Vec3 at,
+                                        Vec3 n, double gap, Vec3 face) const {
+        if (dot(n, face) > facing) return std::nullopt;
+        if (!seams_.empty())
+            if (const auto cover = seams_.covering_normal(triangle, n, gap)) return cover;
+        if (!is_on_border(*surface_.geometry, t, at + origin_)) return std::nullopt;
+        SeamContact contact(shape_, triangle, n, gap);
+        for_each_triangle(*surface_.geometry, box_, [&](const SurfaceTriangle& other) {
+            if (other.index == t.index) return;
+            const Vec3 corner[3] = {other.corner[0] - origin_, other.corner[1] - origin_,
+                                    other.corner[2] - origin_};
+            contact.test(triangle_convex(corner, {}, {}));
+        });
+        return contact.covering_normal();
+    }
+
+    // A ball touches a triangle where its centre is nearest, if no other triangle is nearer there.
+    // Returns false if the centre lies on the triangle.
+    bool add_below_point(const SurfaceTriangle& t, const Vec3 corner[3]) {
+        const Vec3 at = nearest_on_triangle(corner, middle_), to = middle_ - at;
+        const double reach = shape_.radius + margin_, square = length_squared(to);
+        if (square > reach * reach) return true;
+        const double distance = square_root(square);
+        if (distance <= 1e-9 * size_) return false;
+        Vec3 n = to * (1 / distance);
+        if (exceeds_reach(distance, n)) return true;
+        const Vec3 front = normal_of(t), face = dot(n, front) < 0 ? -front : front;
+        if (dot(n, face) > facing) {
+            n = face;
+        } else {
+            if (!is_nearest(t, at, n)) return true;
+            if (covering_normal(t, triangle_convex(corner, {}, {}), at, n, distance - shape_.radius,
+                                face)) {
+                covered_ = true;
+                return true;
+            }
+        }
+        Patch patch{.normal = n, .triangle = t.index, .points = {}};
+        patch.points.count = 1;
+        patch.points.point[0] = (at + middle_ - n * shape_.radius) * 0.5;
+        patch.points.gap[0] = distance - shape_.radius;
+        add_patch(patch, corner);
+        return true;
     }
 
     // Returns whether the motion of the shape keeps its core, which is `distance` away along n, out
@@ -372,7 +466,7 @@ private:
     }
     bool contains(const Vec3 corner[3], Vec3 p) const {
         const Vec3 n = normalized(cross(corner[1] - corner[0], corner[2] - corner[0]));
-        const double near = 1e-5 * (size_ + length(corner[1] - corner[0]));
+        const double near = 1e-5 * (size_ + length(corner[1] - corner[0])) + crack_;
         if (absolute(dot(p - corner[0], n)) > near) return false;
         for (int k = 0; k < 3; k++) {
             const Vec3 outward = normalized(cross(corner[(k + 1) % 3] - corner[k], n));
@@ -384,6 +478,52 @@ private:
     bool any_overlaps() const {
         return std::any_of(patches_.begin(), patches_.end(),
                            [](const Patch& p) { return p.deepest < 0; });
+    }
+
+    // Returns whether a triangle with a corner at or near a point is nearer than that point to a
+    // separated shape in the direction n.
+    static bool rises(const Vec3 corner[3], Vec3 at, Vec3 n, double slack) {
+        for (int k = 0; k < 3; k++)
+            if (dot(n, corner[k] - at) > tuning::edge_slack * length(corner[k] - at) + slack)
+                return true;
+        return false;
+    }
+
+    // Returns whether a point on an edge of a triangle is nearer than all other points around it to
+    // a separated shape in the direction n.
+    bool is_nearest(const SurfaceTriangle& t, Vec3 at, Vec3 n) const {
+        int edges = 0;
+        const bool below = for_each_edge_at(t, normal_of(t), at + origin_, [&](int k, Vec3) {
+            edges++;
+            const std::uint32_t other = neighbour_of(*surface_.geometry, t.index, k);
+            if (other == no_triangle) return true;
+            // Its corner opposite the edge decides. The other two may be up to the welding distance
+            // away from those of this triangle.
+            const SurfaceTriangle next = triangle_of(*surface_.geometry, other);
+            const Vec3 from = t.corner[k], along = t.corner[(k + 1) % 3] - from;
+            Vec3 far;
+            double furthest = -1;
+            for (const Vec3 c : next.corner) {
+                const double off = length_squared(cross(c - from, along));
+                if (off > furthest) furthest = off, far = c;
+            }
+            const Vec3 to = far - origin_ - at;
+            return dot(n, to) <= edge_slack_ * length(to);
+        });
+        return below && (edges < 2 || is_nearest_of_all(at, n));
+    }
+    bool is_nearest_of_all(Vec3 at, Vec3 n) const {
+        bool nearest = true;
+        const double near = maximum(crack_, 1e-9 * size_);
+        const Vec3 point = at + origin_;
+        for_each_triangle(*surface_.geometry, grow({point, point}, near),
+                          [&](const SurfaceTriangle& t) {
+                              const Vec3 corner[3] = {t.corner[0] - origin_, t.corner[1] - origin_,
+                                                      t.corner[2] - origin_};
+                              if (length(nearest_on_triangle(corner, at) - at) > near) return;
+                              if (rises(corner, at, n, near)) nearest = false;
+                          });
+        return nearest;
     }
 
     // If no neighbour pushes, for example at the sharp folds of a crumpled surface, a seam acts
@@ -415,8 +555,12 @@ private:
     Convex shape_;
     Aabb box_;
     double size_ = 0;
+    double crack_ = 0;  // m: width of a gap between two triangles that count as neighbours
+    double edge_slack_ = tuning::edge_slack;  // rad; a round shape leans over a crack
     Vec3 middle_;
-    Vec3 exit_direction_;  // zero until computed
+    Seams seams_;
+    bool covered_ = false;  // a neighbour covers a contact
+    Vec3 exit_direction_;   // zero until computed
     std::optional<ShapeMotion> motion_;
     std::vector<Patch> patches_;
     std::vector<HeldTriangle> held_;
@@ -424,9 +568,12 @@ private:
 
 }  // namespace
 
-void collide_surface(const TransformedShape& surface, const TransformedShape& convex, double margin,
-                     const SurfaceMotion* motion, std::vector<Manifold>& out) {
-    SurfacePair(surface, convex, margin, motion).collide(out);
+bool collide_surface(const TransformedShape& surface, const TransformedShape& convex, double margin,
+                     const SurfaceMotion* motion, const std::vector<TransformedShape>& neighbours,
+                     std::vector<Manifold>& out) {
+    SurfacePair pair(surface, convex, margin, motion);
+    pair.add_neighbours(neighbours);
+    return pair.collide(out);
 }
 
 Vec3 acting_normal(const Geometry& surface, const SurfaceTriangle& triangle, Vec3 at, Vec3 n) {
@@ -434,7 +581,8 @@ Vec3 acting_normal(const Geometry& surface, const SurfaceTriangle& triangle, Vec
     const double up = dot(n, front), side = up < 0 ? -1 : 1;
     // A contact along the face is at a border or a ridge, from either side.
     if (absolute(up) < 0.5) return n;
-    return may_act(surface, triangle, front * side, side, at, n) ? n : front * side;
+    return may_act(surface, triangle, front * side, side, at, n, tuning::edge_slack) ? n
+                                                                                     : front * side;
 }
 
 bool overlaps_surface(const TransformedShape& surface, const TransformedShape& convex) {

@@ -15,8 +15,11 @@ namespace jostle::physics {
 
 // Appends one manifold per flat piece, deepest first. Normals point from the surface to the shape.
 // `motion`: motion of the shape; null if it does not move.
-void collide_surface(const TransformedShape& surface, const TransformedShape& convex, double margin,
-                     const SurfaceMotion* motion, std::vector<Manifold>& out);
+// `neighbours`: shapes next to the surface that the shape may touch; may include the surface.
+// Returns whether one of them covers a contact (seams.h).
+bool collide_surface(const TransformedShape& surface, const TransformedShape& convex, double margin,
+                     const SurfaceMotion* motion, const std::vector<TransformedShape>& neighbours,
+                     std::vector<Manifold>& out);
 
 // The contact normal of a shape that touches a triangle at a local point `at`, where n is the
 // direction of the shortest distance to the shape. Returns the face normal if a seam does not allow

@@ -49,6 +49,16 @@ int invert_pivot(const double* block, int n, const double* original, double depe
     return skipped_rows;
 }
 
+// The same for a negative definite block.
+int invert_negative(const double* block, int n, const double* original, double dependent,
+                    double* inverse) {
+    double negated[max_block_rows * max_block_rows];
+    for (int i = 0; i < n * n; i++) negated[i] = -block[i];
+    const int skipped_rows = invert_pivot(negated, n, original, dependent, inverse);
+    for (int i = 0; i < n * n; i++) inverse[i] = -inverse[i];
+    return skipped_rows;
+}
+
 // Inverts a block of three rows by cofactors if the rows are far from dependent.
 bool invert_three(const double* m, const double* original, double* inverse) {
     const double a = m[0], b = m[3], c = m[6], d = m[4], e = m[7], f = m[8];
@@ -83,7 +93,9 @@ int BlockLdl::factor_columns(double dependent) {
         double* const pivot = values_.data() + diagonal_[as_index(k)];
         double* const inverse = inverse_.data() + as_index(k) * max_values;
         const double* const original = original_diagonal_.data() + begin_[as_index(k)];
-        if (kRows != 3 || !invert_three(pivot, original, inverse))
+        if (!negative_.empty() && negative_[as_index(k)] != 0)
+            skipped_rows += invert_negative(pivot, nk, original, dependent, inverse);
+        else if (kRows != 3 || !invert_three(pivot, original, inverse))
             skipped_rows += invert_pivot(pivot, nk, original, dependent, inverse);
         const int first = first_below_[as_index(k)], count = first_below_[as_index(k) + 1] - first;
         if (count == 0) continue;
@@ -137,7 +149,7 @@ int BlockLdl::factor(double dependent) {
     for (int k = 0; k < nodes(); k++)
         for (int i = 0; i < rows_[as_index(k)]; i++)
             original_diagonal_[as_index(begin_[as_index(k)] + i)] =
-                values_[as_index(diagonal_[as_index(k)] + i * rows_[as_index(k)] + i)];
+                absolute(values_[as_index(diagonal_[as_index(k)] + i * rows_[as_index(k)] + i)]);
     return same_rows_ == 3   ? factor_columns<3>(dependent)
            : same_rows_ == 5 ? factor_columns<5>(dependent)
            : same_rows_ == 6 ? factor_columns<6>(dependent)

@@ -30,8 +30,8 @@ std::int64_t work_of(std::int64_t rows, std::span<const int> nodes_below,
 // Stops early with a partial order if these nodes alone exceed `max_work`: their factor has one
 // block for each remaining neighbour.
 std::vector<int> BlockLdl::order_by_degree(std::span<const int> rows_of_node,
-                                           std::span<const Edge> edges,
-                                           std::int64_t max_work) const {
+                                           std::span<const Edge> edges, std::int64_t max_work,
+                                           std::span<const Sign> signs) const {
     const std::size_t n = position_.size();
     ASSERT(rows_of_node.size() == n);
     std::vector<std::vector<int>> near(n);  // each list sorted
@@ -42,7 +42,11 @@ std::vector<int> BlockLdl::order_by_degree(std::span<const int> rows_of_node,
         list.erase(std::unique(list.begin(), list.end()), list.end());
     }
     std::set<std::pair<std::size_t, int>> queue;  // (degree, node)
-    for (std::size_t i = 0; i < n; i++) queue.insert({near[i].size(), static_cast<int>(i)});
+    std::vector<std::uint8_t> waits(n, 0);
+    for (std::size_t i = 0; i < n; i++) {
+        waits[i] = !signs.empty() && signs[i] == Sign::waits ? 1 : 0;
+        if (waits[i] == 0) queue.insert({near[i].size(), static_cast<int>(i)});
+    }
     std::vector<int> order, others, merged;
     order.reserve(n);
     std::int64_t work = 0;
@@ -62,8 +66,11 @@ std::vector<int> BlockLdl::order_by_degree(std::span<const int> rows_of_node,
                            std::back_inserter(merged));
             std::erase_if(merged, [&](int other) { return other == node || other == a; });
             list.swap(merged);
-            if (list.size() == old_size) continue;
-            queue.erase({old_size, a});
+            const bool released =
+                waits[as_index(a)] != 0 && signs[as_index(node)] == Sign::negative;
+            if (released) waits[as_index(a)] = 0;
+            if (waits[as_index(a)] != 0 || (list.size() == old_size && !released)) continue;
+            if (!released) queue.erase({old_size, a});
             queue.insert({list.size(), a});
         }
     }
@@ -143,10 +150,11 @@ void BlockLdl::lay_out() {
 }
 
 bool BlockLdl::analyze(std::span<const int> rows_of_node, std::span<const Edge> edges,
-                       std::int64_t max_work) {
+                       std::int64_t max_work, std::span<const Sign> signs) {
     const std::size_t n = rows_of_node.size();
+    ASSERT(signs.empty() || signs.size() == n);
     position_.assign(n, 0);
-    const std::vector<int> order = order_by_degree(rows_of_node, edges, max_work);
+    const std::vector<int> order = order_by_degree(rows_of_node, edges, max_work, signs);
     if (order.size() < n) return false;
     fill(edges, order);
     rows_.resize(n);
@@ -158,6 +166,10 @@ bool BlockLdl::analyze(std::span<const int> rows_of_node, std::span<const Edge> 
         begin_[p + 1] = begin_[p] + rows_[p];
         if (rows_[p] != same_rows_) same_rows_ = 0;
     }
+    negative_.clear();
+    if (!signs.empty())
+        for (const int node : order)
+            negative_.push_back(signs[as_index(node)] == Sign::negative ? 1 : 0);
     count_work();
     if (work_ > max_work) return false;
     lay_out();

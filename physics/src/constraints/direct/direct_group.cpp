@@ -18,7 +18,8 @@ constexpr double followed_turn = 1;  // rad
 constexpr double followed_spring = 0.35;  // rad
 constexpr int max_spring_parts = 64, springs_followed = 8;
 constexpr int max_halvings = 6, max_steps = 1024;
-constexpr double burst = 0.01;  // relative energy gain that counts as a blow-up
+// Larger groups are not composed of halves and quarters, which take up to 20 steps.
+constexpr std::size_t max_quartered_joints = 32;
 // After this many sub-steps, a longer one is tried again.
 constexpr int steps_at_halvings = 4;
 // Suzuki's coefficients a, a, 1 - 4 a, a, a with a = 1 / (4 - 4^(1/3)).
@@ -29,9 +30,9 @@ constexpr double longest_stage = 4 * suzuki - 1;
 }  // namespace
 
 // Allowed joint error, m: a small part of the error that a step of length h makes anyway. Scaled
-// with the group's size.
+// with the group's size. In a loop it makes dependent rows look independent.
 double DirectGroup::tolerance(double h) const {
-    return minimum(1e-5, 0.1 * h * h) * minimum(1, 2 * reach_);
+    return minimum(looped_ ? 2e-9 : 1e-5, 0.1 * h * h) * minimum(1, 2 * reach_);
 }
 
 void DirectGroup::save(int depth) {
@@ -79,43 +80,36 @@ void DirectGroup::restore(int depth) {
     energy_ = false;
 }
 
-// Nearly redundant rows can pull with arbitrary force: a net whose joints hold at the end of a step
-// may move at any speed. This shows as an energy gain since `start`.
-bool DirectGroup::has_burst(double h, const Saved& start) {
-    if (!looped_ || !smooth_ || sprung_) return false;
-    double had = 0, has = 0, work = 0, scale = 0;  // J; sums over the kinetic energy
-    for (std::size_t k = 0; k < bodies.size(); k++) {
-        const DirectBody& body = bodies[k];
-        if (!body.pushed && body.v == Vec3{} && body.w == Vec3{}) continue;
-        if (!body.pushed) return false;  // driven bodies do work
-        const SavedBody& was = start.bodies[k];
-        const Vec3 spin_then = rotate(conjugate(was.q), was.l);
-        const Vec3 kick = body.force * h, twist = body.torque * h;
-        had += 0.5 * dot(was.p, was.p) * body.inverse_mass +
-               0.5 * dot(scaled(spin_then, body.inverse_moments), spin_then);
-        has += 0.5 * dot(body.p, body.p) * body.inverse_mass + 0.5 * dot(body.l, spin(body));
-        const double pushed = dot(body.force, body.x - was.x), turned = dot(twist, spin(body));
-        work += pushed + turned;
-        scale += absolute(pushed) + absolute(turned) + dot(kick, kick) * body.inverse_mass +
-                 dot(twist, body.inverse_inertia * twist);
-    }
-    const bool bursts = !(has - had - work <= burst * (had + scale));
-    degenerate_ |= bursts;
-    return bursts;
-}
-
+// Returns false, and leaves any state, if the step has to be taken in another way.
 bool DirectGroup::compose(double h) {
     count_.compositions++;
-    // The fourth-order composition needs a finer tolerance.
-    const double fine = minimum(1e-7, tolerance(h)) * minimum(1, 2 * reach_);
+    // The errors of the stages are of third order in h and cancel. What the tolerance leaves over
+    // must be smaller and of no lower order.
+    const double fine =
+        minimum(minimum(1e-7, 0.07 * h * h * h), tolerance(h)) * minimum(1, 2 * reach_);
+    const EnergyBooks books = open_books();
     for (const double stage : suzuki_stages)
         if (!step_rattle(h * stage, fine) || is_on_limit()) return false;
-    return !has_burst(h, saved_[0]);
+    return sprung_ ||
+           keeps_energy(books, h, composed_bounds);  // books do not follow springs over stages
+}
+
+// A composition of the whole step, or of its halves or quarters. Returns false, and leaves the
+// state unchanged, if the joint forces oscillate too fast even for those.
+bool DirectGroup::compose_parts(double h) {
+    const int most = joints.size() <= max_quartered_joints && !is_trial ? 4 : 1;
+    for (int parts = 1; parts <= most; parts *= 2) {
+        if (stiffest() * h * longest_stage >= followed_swing * parts) continue;
+        int done = 0;
+        while (done < parts && compose(h / parts)) done++;
+        if (done == parts) return true;
+        restore(0);
+    }
+    return false;
 }
 
 // After a halving, the rest of the advance starts with halved steps. After a failure at the
-// smallest step, it uses the velocity fallback: a taut bridge between two walls has dependent rows
-// and cannot bend, however short the step.
+// smallest step, it uses the velocity fallback. A net uses it earlier: shorter steps do not help.
 void DirectGroup::step(double h, int depth) {
     if (resorting_) return resort_to_velocities(h);
     if (depth <= halvings_) {
@@ -125,13 +119,22 @@ void DirectGroup::step(double h, int depth) {
     }
     save(depth);
     ASSERT(depth <= max_halvings);
-    if (stiffest() * h < followed_swing) {
-        if (step_rattle(h, tolerance(h)) && !has_burst(h, saved_[as_index(depth)])) return;
+    const EnergyBooks books = open_books();
+    // Two RATTLE steps cost as much as an energy-momentum step and are more accurate. Small groups
+    // take up to eight.
+    const double swing = stiffest() * h;
+    const int most = is_trial ? 1 : (joints.size() <= max_quartered_joints ? 8 : 2);
+    int parts = 1;
+    while (parts < most && swing >= followed_swing * parts) parts *= 2;
+    if (swing < followed_swing * parts) {
+        int done = 0;
+        while (done < parts && step_rattle(h / parts, tolerance(h / parts))) done++;
+        if (done == parts && keeps_energy(books, h, rattle_bounds)) return;
         restore(depth);
     }
-    if (step_energy(h, tolerance(h)) && !has_burst(h, saved_[as_index(depth)])) return;
+    if (step_energy(h, tolerance(h)) && keeps_energy(books, h, energy_step_bounds)) return;
     restore(depth);
-    if (depth == max_halvings || (depth > 1 && (count_.skipped_rows > 0 || degenerate_))) {
+    if (depth == max_halvings || (net_ && depth > 1)) {
         resorting_ = true;
         return resort_to_velocities(h);
     }
@@ -156,7 +159,6 @@ void DirectGroup::advance(double dt, int substeps) {
     ASSERT(dt > 0 && substeps >= 1);
     halvings_ = 0;
     resorting_ = false;
-    degenerate_ = false;
     const double turn = fastest_turn() * dt;
     if (turn > followed_turn * substeps)
         substeps = static_cast<int>(minimum(turn / followed_turn, max_steps - 1)) + 1;
@@ -167,10 +169,7 @@ void DirectGroup::advance(double dt, int substeps) {
     for (int part = 0; part < parts; part++) {
         const double h = dt / parts;
         save(0);
-        if (stiffest() * h * longest_stage < followed_swing) {
-            if (compose(h)) continue;
-            restore(0);
-        }
+        if (compose_parts(h)) continue;
         const int steps = static_cast<int>(maximum(1, substeps / parts));
         ASSERT(steps >= 1);
         for (int k = 0; k < steps; k++) step(h / steps, 1);
@@ -195,10 +194,11 @@ int DirectGroup::parts_of(double dt, int substeps) {
 }
 
 // Fallback: kick, velocities that satisfy the joints and reduce their errors, drift, velocities
-// without the error term. First order; cannot fail.
+// without the error term. First order; cannot fail, and cannot gain energy.
 void DirectGroup::resort_to_velocities(double h) {
     count_.last_resorts++;
     ASSERT(h > 0);
+    const EnergyBooks books = open_books();
     set_bounds(h);
     set_targets(h);
     for (DirectBody& body : bodies) {
@@ -212,7 +212,7 @@ void DirectGroup::resort_to_velocities(double h) {
     kick(h, false);
     kick(h, true);
     project_velocities(h, 0.2 / h);
-    const int rounds = looped_ && smooth_ ? proximal_rounds : 1;
+    const int rounds = (looped_ || net_) && smooth_ ? proximal_rounds : 1;
     for (int round = 1; round < rounds; round++) project_velocities(h, 0.2 / h, false);
     time_ += h;
     for (DirectBody& body : bodies) {
@@ -222,6 +222,7 @@ void DirectGroup::resort_to_velocities(double h) {
     }
     commit();
     for (int round = 0; round < rounds; round++) project_velocities(h, 0, false);
+    remove_gain(books, h);
 }
 
 }  // namespace jostle::physics

@@ -9,8 +9,9 @@
 //     can cause advances by at most 0.7 rad in h;
 //   five RATTLE steps composed to fourth order (M. Suzuki, 1990), if nothing is damped or limited;
 //   energy-momentum (J. C. Simo, K. K. Wong, 1991; O. Gonzalez, 1996): bounded for any stiffness.
-// A step that does not converge is halved. A step that cannot be halved further is solved for
-// velocities alone, which cannot fail.
+// A step that does not converge, or that changes the energy (energy_guard.cpp), is taken in the
+// next of these ways and then halved. A step that cannot be halved further is solved for velocities
+// alone, which cannot fail.
 #pragma once
 
 #include <cstdint>
@@ -38,6 +39,9 @@ public:
     std::vector<DirectBody> bodies;
     std::vector<DirectJoint> joints;
     ExternalForces* outside = nullptr;  // if null, the forces of the bodies are constant
+    // Takes no shorter steps of its own accord, which could be those of twice as many sub-steps:
+    // for estimating their error.
+    bool is_trial = false;
 
     // Counters since prepare(), for the profile and for tests.
     struct Count {
@@ -75,7 +79,9 @@ private:
     void list_what_acts();
     bool find_pattern(std::int64_t max_work);
     void assemble(double linear, const Mat3 DirectBody::*response);
-    void regularize();
+    void assemble_hubs(double linear, const Mat3 DirectBody::*response);
+    void solve();  // right_side_ in, unknowns out
+    void regularize(double compliance);
     double min_response(const DirectJoint& joint) const;
     void drop_locked();
     void soften(double h);  // spring rows in the energy-momentum step or at velocity level
@@ -84,12 +90,29 @@ private:
     void step(double h, int depth);
     int parts_of(double dt, int substeps);
     bool compose(double h);
-    bool has_burst(double h, const Saved& start);
+    bool compose_parts(double h);
     double fastest_turn() const;  // rad/s
     double tolerance(double h) const;
     void save(int depth);
     void restore(int depth);
     void resort_to_velocities(double h);
+
+    // ---- energy_guard.cpp ----
+    struct EnergyBooks {
+        double kinetic = 0, total = 0;  // J; total: with the potential of the external forces
+        double twist = 0;               // W: half of the power of the external torques
+        bool closed = true;             // no other body or field does work
+        bool exact = false;             // nothing takes energy on purpose
+    };
+    EnergyBooks open_books() const;
+    struct EnergyBounds {
+        double gain, loss;  // relative to the kinetic energy
+    };
+    // Whether a step of h seconds since `before` kept the energy within bounds.
+    bool keeps_energy(const EnergyBooks& before, double h, EnergyBounds bounds) const;
+    void remove_gain(const EnergyBooks& before, double h);
+    double work_of_axes() const;
+    double work_of_errors(double h) const;
 
     // ---- common to all steps: direct_system.cpp ----
     // Forces, springs, actuation between its steps, and damping, for half a step of h.
@@ -131,8 +154,15 @@ private:
     bool solve_energy_positions(double h, double tolerance);
     double stiffest();  // rad/s: upper bound of the oscillation rates
 
-    // Regularisation: compliance of a dependent row relative to its own response, and the number of
-    // rounds.
+    // Energy changes that count as a failure. Whips lose what the energy-momentum step does not
+    // resolve.
+    static constexpr EnergyBounds composed_bounds{1e-4, 1e-4}, rattle_bounds{0.01, 0.01},
+        energy_step_bounds{1e-3, 1e300};
+    // Compliance of a dependent row relative to its own response. Loops often have dependent rows;
+    // the compliance selects the smallest of their possible forces. Newton's method removes its
+    // error. The mean vectors of the energy-momentum step hide the dependence to second order in h.
+    static constexpr double loop_compliance = 1e-7, mean_loop_compliance = 3e-4;
+    // In the velocity fallback, which takes several rounds instead.
     static constexpr double proximal = 1e-4;
     static constexpr int proximal_rounds = 3;
     // Maximum number of retries of a step after a limit or a motor maximum was reached.
@@ -140,6 +170,7 @@ private:
 
     BlockLdl matrix_;
     std::vector<JointSystemBlock> system_blocks_;
+    JointHubs hubs_;
     std::vector<int> pattern_;  // bodies and rows of each joint for which the pattern is valid
     std::vector<double> right_side_;    // indexed by the matrix's rows
     std::vector<Vec3> previous_guess_;  // momenta
@@ -150,18 +181,18 @@ private:
     bool damped_ = false;  // bodies or springs have damping
     bool sprung_ = false;
     bool damped_springs_ = false;
-    bool actuated_ = false;    // by motors or friction
-    bool limited_ = false;     // some free axes have limits
-    bool locked_ = false;      // bodies have locked axes
-    bool energy_ = false;      // the current step is an energy-momentum step
-    double spring_rate_ = 0;   // rad/s: upper bound of the spring rates
-    double step_ = 0;          // s: length of the current step, for springs
-    double time_ = 0;          // s since the start of advance()
-    int halvings_ = 0;         // initial number of halvings of a step
-    bool resorting_ = false;   // velocity fallback for the rest of the advance
-    bool looped_ = false;      // there are more joints than pushed bodies
-    bool degenerate_ = false;  // rows of this advance are dependent or nearly dependent
-    double reach_ = 0;         // m: characteristic length of the group
+    bool actuated_ = false;   // by motors or friction
+    bool limited_ = false;    // some free axes have limits
+    bool locked_ = false;     // bodies have locked axes
+    bool energy_ = false;     // the current step is an energy-momentum step
+    double spring_rate_ = 0;  // rad/s: upper bound of the spring rates
+    double step_ = 0;         // s: length of the current step, for springs
+    double time_ = 0;         // s since the start of advance()
+    int halvings_ = 0;        // initial number of halvings of a step
+    bool resorting_ = false;  // velocity fallback for the rest of the advance
+    bool looped_ = false;     // some joints close loops
+    bool net_ = false;        // so many do that it is nearly singular as soon as it bends
+    double reach_ = 0;        // m: characteristic length of the group
     Count count_;
 };
 

@@ -146,7 +146,10 @@ void measure_start(DirectJoint& j, const DirectBody& a, const DirectBody& b) {
     measure_at(j, a.x, a.axes, b.x, b.axes, j.start);
     if (j.free_axes.empty()) return;
     const FreeAxisEnds ends = ends_of(j, a, b);
-    for (FreeAxis& free_axis : j.free_axes) free_axis.start = value_of(free_axis, ends);
+    for (FreeAxis& free_axis : j.free_axes) {
+        free_axis.start = value_of(free_axis, ends);
+        if (free_axis.has_range()) free_axis.reference = free_axis.start;
+    }
 }
 
 void measure(DirectJoint& j, const DirectBody& a, const DirectBody& b, double h) {

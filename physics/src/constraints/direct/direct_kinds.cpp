@@ -17,6 +17,7 @@ void limit(FreeAxis& free_axis, const JointLimit& limit) {
     if (!limit.enabled) return;
     free_axis.lower = limit.lower;
     free_axis.upper = limit.upper;
+    free_axis.reference = 0.5 * (limit.lower + limit.upper);
 }
 
 void spring(FreeAxis& free_axis, const JointSpring& spring, double rest) {
@@ -155,6 +156,7 @@ void set_up_kind(DirectJoint& j, const ConeTwistJoint& cone, const DirectEnd& a,
         limit(free_axis, cone.twist);
         j.free_axes.push_back(free_axis);
         free_axis.lower = -FreeAxis::never;
+        free_axis.reference = 0;
     }
     free_axis.kind = AxisKind::swing;
     free_axis.slot = 1;

@@ -11,6 +11,8 @@
 namespace jostle::physics {
 namespace {
 
+// A redundant group with more joints is a net, not a mechanism of a few loops.
+constexpr std::size_t max_loop_joints = 8;
 constexpr double min_damper = 1e-30;  // N s/m or N m s
 // m: for bodies that do not rotate and are held at their centres.
 constexpr double min_reach = 0.01;
@@ -37,7 +39,13 @@ void DirectGroup::list_what_acts() {
     }
     std::size_t pushed = 0;
     for (const DirectBody& body : bodies) pushed += body.pushed ? 1 : 0;
-    looped_ = joints.size() > pushed;
+    // Without loops each joint connects one more body to the ground or to the first body.
+    const bool grounded = std::any_of(joints.begin(), joints.end(), [&](const DirectJoint& joint) {
+        return !bodies[as_index(joint.a)].pushed || !bodies[as_index(joint.b)].pushed;
+    });
+    net_ = joints.size() > max_loop_joints &&
+           is_redundant(static_cast<int>(joints.size()), static_cast<int>(pushed));
+    looped_ = !net_ && joints.size() + (grounded ? 0 : 1) > pushed;
     double arms = 0;
     for (DirectJoint& joint : joints) {
         arms += length(joint.arm_a) + length(joint.arm_b) + joint.distance;
@@ -77,6 +85,7 @@ bool DirectGroup::prepare(std::int64_t max_work) {
     list_what_acts();
     std::vector<int> pattern;
     pattern.reserve(joints.size() * 3 + bodies.size());
+    pattern.push_back(locked_ ? 1 : 0);
     for (const DirectBody& body : bodies) pattern.push_back(body.pushed ? 1 : 0);
     for (const DirectJoint& joint : joints)
         pattern.insert(pattern.end(), {joint.a, joint.b, joint.rows()});
@@ -97,8 +106,11 @@ bool DirectGroup::find_pattern(std::int64_t max_work) {
         rows.push_back(joint.rows());
     }
     for (const DirectBody& body : bodies) pushed.push_back(body.pushed ? 1 : 0);
-    if (!find_joint_system_blocks(ends, rows, pushed, max_work, matrix_, system_blocks_))
+    // A hub must move freely: its inverse inertia is inverted.
+    if (!find_joint_system_blocks(ends, rows, pushed, max_work, matrix_, system_blocks_,
+                                  locked_ ? nullptr : &hubs_))
         return false;
+    if (locked_) hubs_ = {};
     right_side_.assign(as_index(matrix_.rows()), 0);
     ASSERT(matrix_.rows() > 0);
     // Sorted by position, so that the contributions to a block are summed consecutively.
@@ -144,20 +156,67 @@ void DirectGroup::assemble(double linear, const Mat3 DirectBody::*response) {
             }
         }
     }
+    assemble_hubs(linear, response);
     if (locked_) drop_locked();
     if (sprung_) soften(step_);
-    if (resorting_ && looped_) regularize();
+    if (resorting_ && (looped_ || net_))
+        regularize(proximal);
+    else if (looped_)
+        regularize(energy_ ? mean_loop_compliance : loop_compliance);
     count_.skipped_rows = matrix_.factor();
     count_.factors++;
 }
 
+void DirectGroup::assemble_hubs(double linear, const Mat3 DirectBody::*response) {
+    double* const values = matrix_.values().data();
+    for (const JointHub& hub : hubs_.hubs) {
+        const DirectBody& body = bodies[as_index(hub.body)];
+        double* const block = values + hub.at;
+        const Mat3 inertia = inverse(body.*response);
+        const Vec3 columns[] = {inertia.x, inertia.y, inertia.z};
+        for (int i = 0; i < 3; i++) {
+            block[i * hub_rows + i] = -body.mass / linear;
+            for (int k = 0; k < 3; k++) block[(i + 3) * hub_rows + k + 3] = -columns[k][i];
+        }
+    }
+    constexpr Vec3 axes_of_world[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    for (const JointHubBlock& coupling : hubs_.blocks) {
+        const DirectJoint& joint = joints[as_index(coupling.joint)];
+        const Vec3* const angular = coupling.body_b ? joint.angular_b : joint.angular_a;
+        double* const block = values + coupling.at;
+        const int rows = joint.rows();
+        for (int r = 0; r < rows; r++) {
+            Vec3 line;
+            if (!joint.is_ball())
+                line = joint.linear[r];
+            else if (r < 3)
+                line = axes_of_world[r];
+            if (!coupling.body_b) line = -line;
+            for (int k = 0; k < 3; k++)
+                if (coupling.hub_later)
+                    block[k * rows + r] = line[k], block[(k + 3) * rows + r] = angular[r][k];
+                else
+                    block[r * hub_rows + k] = line[k], block[r * hub_rows + k + 3] = angular[r][k];
+        }
+    }
+}
+
+void DirectGroup::solve() {
+    for (const JointHub& hub : hubs_.hubs) {
+        double* const rows = right_side_.data() + matrix_.row_of(hub.node);
+        std::fill(rows, rows + hub_rows, 0.0);
+    }
+    matrix_.solve(right_side_);
+    count_.solves++;
+}
+
 // Makes dependent rows independent.
-void DirectGroup::regularize() {
+void DirectGroup::regularize(double compliance) {
     double* const values = matrix_.values().data();
     for (std::size_t k = 0; k < joints.size(); k++) {
         const int node = static_cast<int>(k), rows = joints[k].rows();
         double* const block = values + matrix_.block_at(node, node);
-        for (int r = 0; r < rows; r++) block[r * (rows + 1)] *= 1 + proximal;
+        for (int r = 0; r < rows; r++) block[r * (rows + 1)] *= 1 + compliance;
     }
 }
 

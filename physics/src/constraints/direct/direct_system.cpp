@@ -188,9 +188,7 @@ void DirectGroup::project_velocities(double h, double bias, bool save_forces) {
             for (int r = 0; r < joint.rows(); r++)
                 to[r] = -to[r] - (bias != 0 ? bias * joint.error[r] : 0);
         }
-        matrix_.solve(right_side_);
-        ASSERT(factored_);
-        count_.solves++;
+        solve();
         bool changed = false;
         for (std::size_t k = 0; k < joints.size(); k++) {
             DirectJoint& joint = joints[k];

@@ -18,14 +18,24 @@ LockedRows locked_rows(const DirectJoint& j, const DirectBody& a, const DirectBo
     return {first, normalized(cross(last, first)), last};
 }
 
+// A limit with a larger impulse is active.
+double idle_impulse(const FreeAxis& free_axis) {
+    return free_axis.is_ambiguous() ? 2 * side_mark : 0;
+}
+
 void load_free_axis(FreeAxis& free_axis, double& force,
                     const WarmStartCache::FreeAxisImpulses& cache, double h) {
+    const double idle = idle_impulse(free_axis);
     if (free_axis.has_limit())
-        free_axis.at_limit = cache.lower > 0 ? 1 : (cache.upper > 0 ? -1 : 0);
+        free_axis.at_limit = cache.lower > idle ? 1 : (cache.upper > idle ? -1 : 0);
+    if (free_axis.is_ambiguous())
+        free_axis.reference =
+            reference_angle({true, free_axis.lower, free_axis.upper}, cache.lower, cache.upper);
     load_actuation(free_axis, (cache.motor + cache.friction) / h);
     ASSERT(h > 0 && cache.lower >= 0 && cache.upper >= 0);
     if (free_axis.at_limit != 0) {
         if (free_axis.is_held()) free_axis.actuation = FreeAxis::at_rest;
+        actuation_on_limit(free_axis);  // the motor may have changed
         force = (cache.lower - cache.upper) * (0.5 / h);
     } else if (free_axis.is_held()) {
         force = (cache.motor + cache.friction) * (0.5 / h);
@@ -34,8 +44,13 @@ void load_free_axis(FreeAxis& free_axis, double& force,
 
 WarmStartCache::FreeAxisImpulses save_free_axis(const FreeAxis& free_axis, double force, double h) {
     WarmStartCache::FreeAxisImpulses cache;
-    if (free_axis.at_limit > 0) cache.lower = maximum(2 * h * force, 1e-300);
-    if (free_axis.at_limit < 0) cache.upper = maximum(-2 * h * force, 1e-300);
+    const double least = free_axis.is_ambiguous() ? 2 * idle_impulse(free_axis) : 1e-300;
+    if (free_axis.at_limit > 0) cache.lower = maximum(2 * h * force, least);
+    if (free_axis.at_limit < 0) cache.upper = maximum(-2 * h * force, least);
+    if (free_axis.is_ambiguous() && free_axis.at_limit == 0) {
+        if (free_axis.value < free_axis.lower + side_margin) cache.lower = side_mark;
+        if (free_axis.value > free_axis.upper - side_margin) cache.upper = side_mark;
+    }
     const bool held = free_axis.at_limit == 0 && free_axis.is_held();
     const double gripped = h * (held ? 2 * force : free_axis.push());
     cache.friction =

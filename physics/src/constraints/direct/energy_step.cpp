@@ -20,7 +20,7 @@ constexpr double slow_contraction = 0.35;
 // itself. A small part of it may remain, as in W. E. Milne's device ("Numerical solution of
 // differential equations", 1953), but at most this many metres. Limits and actuation are decided by
 // their impulses, which must be converged.
-constexpr double small_part = 0.02, max_left = 1e-5;
+constexpr double small_part = 0.02, max_left = 5e-6;
 
 double enough_of(double first, double tolerance) {
     return maximum(tolerance, minimum(max_left, small_part * first));
@@ -85,8 +85,8 @@ double DirectGroup::stiffest() {
                 pull += free_axis.linear *
                         (free_axis.push() -
                          free_axis.stiffness * stretch_of(free_axis, free_axis.value));
-        stiffen(a, pull, lever_of(joint, a.axes * joint.arm_a, joint.apart));
-        stiffen(b, -pull, b.axes * joint.arm_b);
+        stiffen(a, -pull, lever_of(joint, a.axes * joint.arm_a, joint.apart));
+        stiffen(b, pull, b.axes * joint.arm_b);
     }
     double most = 0;
     for (const DirectBody& body : bodies) {
@@ -181,8 +181,8 @@ double DirectGroup::residual_of(double h, bool stiffness_too) {
         }
         if (!stiffness_too) continue;
         const Vec3 pull = pull_of(joint, joint.impulse);
-        stiffen(a, pull, lever_of(joint, a.axes1 * joint.arm_a, joint.apart));
-        stiffen(b, -pull, b.axes1 * joint.arm_b);
+        stiffen(a, -pull, lever_of(joint, a.axes1 * joint.arm_a, joint.apart));
+        stiffen(b, pull, b.axes1 * joint.arm_b);
     }
     double largest = 0;
     for (DirectBody& body : bodies) {
@@ -233,8 +233,7 @@ void DirectGroup::correct(double h, bool again) {
             to[r] = -dot(joint.angular_a[r], a.spin_correction) -
                     dot(joint.angular_b[r], b.spin_correction) - joint.error[r] / h;
     }
-    matrix_.solve(right_side_);
-    count_.solves++;
+    solve();
     for (std::size_t k = 0; k < joints.size(); k++) {
         DirectJoint& joint = joints[k];
         DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
@@ -257,7 +256,7 @@ bool DirectGroup::solve_energy_positions(double h, double tolerance) {
         const double error = residual_of(h, true);
         if (round == 0) {
             first = error;
-            enough = actuated_ || limited_ ? tolerance : enough_of(first, tolerance);
+            enough = actuated_ || limited_ || looped_ ? tolerance : enough_of(first, tolerance);
         }
         if (error < enough) return true;
         if (round == max_energy_corrections || !(error < 1e6))
@@ -310,6 +309,7 @@ bool DirectGroup::step_energy(double h, double tolerance) {
             for (int row = joint.first_free_axis(); row < joint.rows(); row++) set_row(joint, row);
     if (!smooth_) damp(0.5 * h);
     project_velocities(h, 0, false);
+    if (looped_) project_velocities(h, 0, false);
     time_ += h;
     return true;
 }

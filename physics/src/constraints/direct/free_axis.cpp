@@ -57,7 +57,10 @@ double FreeAxis::push_between(int p) const {
     return sum;
 }
 
-double value_of(const FreeAxis& free_axis, const FreeAxisEnds& ends) {
+namespace {
+
+// The angle of a rotation is in -pi..pi.
+double raw_value(const FreeAxis& free_axis, const FreeAxisEnds& ends) {
     switch (free_axis.kind) {
         case Kind::travel:
             return dot(ends.axes_a * free_axis.axis_a, ends.apart);
@@ -80,6 +83,13 @@ double value_of(const FreeAxis& free_axis, const FreeAxisEnds& ends) {
     return free_axis.kind == Kind::first
                ? turns.first
                : (free_axis.kind == Kind::middle ? turns.middle : turns.last);
+}
+
+}  // namespace
+
+double value_of(const FreeAxis& free_axis, const FreeAxisEnds& ends) {
+    const double value = raw_value(free_axis, ends);
+    return free_axis.is_linear() ? value : nearest_angle(value, free_axis.reference);
 }
 
 void write_free_axis(FreeAxis& free_axis, const FreeAxisEnds& ends) {
@@ -129,7 +139,7 @@ double response_of(const FreeAxis& free_axis, const DirectBody& a, const DirectB
 
 double stretch_of(const FreeAxis& free_axis, double value) {
     const double stretch = value - free_axis.rest;
-    return free_axis.is_linear() ? stretch : wrapped(stretch);
+    return free_axis.is_linear() || free_axis.has_range() ? stretch : wrapped(stretch);
 }
 
 // ---- actuation ----
@@ -154,6 +164,7 @@ void nothing_along(FreeAxis& free_axis) {
     free_axis.lower = -FreeAxis::never;
     free_axis.upper = FreeAxis::never;
     free_axis.steps = free_axis.at_limit = 0;
+    free_axis.reference = 0;
     free_axis.actuation = FreeAxis::at_rest;
     free_axis.rate = free_axis.friction_limit = 0;
 }
@@ -172,7 +183,10 @@ void actuation_on_limit(FreeAxis& free_axis) {
     if (free_axis.push_between(slower(into)) * into > 0) {
         free_axis.actuation = 2 * slower(into);
     } else if (free_axis.push_between(slower(-into)) * into < 0) {
-        if (free_axis.is_held()) free_axis.at_limit = 0;
+        if (free_axis.is_held())
+            free_axis.at_limit = 0;
+        else
+            free_axis.actuation = 2 * slower(-into);
     } else {
         free_axis.actuation = FreeAxis::at_rest;
     }

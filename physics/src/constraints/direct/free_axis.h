@@ -15,6 +15,7 @@
 
 #include "jostle/physics/joint_defs.h"
 #include "physics/src/constraints/direct/direct_body.h"
+#include "physics/src/constraints/joints/angles.h"
 
 namespace jostle::physics {
 
@@ -37,6 +38,10 @@ struct FreeAxis {
     Quat frame_a, frame_b;
     Vec3 axis_a, x_a, y_a, x_b;  // of a hinge; for a travel, axis_a is its axis
 
+    // A rotation with limits is read within half a turn of this angle: the middle of their range,
+    // later its own value at the start of the step (angles.h).
+    double reference = 0;  // rad
+
     // At the current state of the two bodies. The vectors of the row if it is active.
     double value = 0;  // rad or m
     Vec3 linear, angular_a, angular_b;
@@ -55,6 +60,8 @@ struct FreeAxis {
 
     bool is_linear() const { return kind == Kind::travel || kind == Kind::distance; }
     bool has_limit() const { return lower > -never || upper < never; }
+    bool has_range() const { return lower > -never && upper < never; }
+    bool is_ambiguous() const { return !is_linear() && physics::is_ambiguous(lower, upper); }
     bool is_held() const { return actuation >= 0 && actuation % 2 == 1; }
     // The force between steps, with p steps at lower speed.
     double push_between(int p) const;
@@ -83,7 +90,8 @@ void write_mean_free_axis(FreeAxis& free_axis, const FreeAxisEnds& before,
 double rate_of(const FreeAxis& free_axis, const DirectBody& a, const DirectBody& b);
 // Speed per unit impulse, 1/kg or 1/(kg m^2).
 double response_of(const FreeAxis& free_axis, const DirectBody& a, const DirectBody& b);
-// Displacement from the rest position of the spring.
+// Displacement from the rest position of the spring. Between limits a spring never pulls through
+// them. Otherwise it pulls the shorter way.
 double stretch_of(const FreeAxis& free_axis, double value);
 
 void add_step(FreeAxis& free_axis, double speed, double most);

@@ -9,7 +9,8 @@ namespace jostle::physics {
 
 bool find_joint_system_blocks(std::span<const JointEnds> joints, std::span<const int> rows,
                               std::span<const std::uint8_t> pushed, std::int64_t max_work,
-                              BlockLdl& matrix, std::vector<JointSystemBlock>& system_blocks) {
+                              BlockLdl& matrix, std::vector<JointSystemBlock>& system_blocks,
+                              JointHubs* hubs) {
     ASSERT(joints.size() == rows.size());
     std::vector<std::vector<int>> of_body(pushed.size());
     for (std::size_t k = 0; k < joints.size(); k++)
@@ -17,19 +18,60 @@ bool find_joint_system_blocks(std::span<const JointEnds> joints, std::span<const
             if (pushed[as_index(body)] != 0) of_body[as_index(body)].push_back(static_cast<int>(k));
     system_blocks.clear();
     ASSERT(max_work >= 0);
-    for (const std::vector<int>& list : of_body) {
+    std::vector<int> rows_of_node(rows.begin(), rows.end());
+    std::vector<int> hub_of(pushed.size(), -1);  // indexed by body
+    if (hubs != nullptr) {
+        hubs->hubs.clear();
+        hubs->blocks.clear();
+        for (std::size_t n = 0; n < of_body.size(); n++) {
+            if (of_body[n].size() < min_hub_joints) continue;
+            hub_of[n] = static_cast<int>(hubs->hubs.size());
+            hubs->hubs.push_back(
+                {.body = static_cast<int>(n), .node = static_cast<int>(rows_of_node.size())});
+            rows_of_node.push_back(hub_rows);
+        }
+    }
+    std::vector<BlockLdl::Edge> edges;
+    for (std::size_t n = 0; n < of_body.size(); n++) {
+        const std::vector<int>& list = of_body[n];
+        if (hub_of[n] >= 0) {
+            for (const int joint : list)
+                edges.push_back({joint, hubs->hubs[as_index(hub_of[n])].node});
+            continue;
+        }
         int least = BlockLdl::max_rows;
         for (const int joint : list) least = std::min(least, rows[as_index(joint)]);
         if (clique_work(list.size(), least) > max_work) return false;
-    }
-    std::vector<BlockLdl::Edge> edges;
-    for (const std::vector<int>& list : of_body)
         for (std::size_t i = 0; i < list.size(); i++)
             for (std::size_t k = 0; k < i; k++) edges.push_back({list[i], list[k]});
-    if (!matrix.analyze(rows, edges, max_work)) return false;
+    }
+    std::vector<BlockLdl::Sign> signs;
+    if (hubs != nullptr && !hubs->hubs.empty()) {
+        signs.assign(rows_of_node.size(), BlockLdl::Sign::negative);
+        for (std::size_t k = 0; k < joints.size(); k++) {
+            const auto moves = [&](int body) {
+                return pushed[as_index(body)] != 0 && hub_of[as_index(body)] < 0;
+            };
+            signs[k] = moves(joints[k].a) || moves(joints[k].b) ? BlockLdl::Sign::positive
+                                                                : BlockLdl::Sign::waits;
+        }
+    }
+    if (!matrix.analyze(rows_of_node, edges, max_work, signs)) return false;
     for (std::size_t n = 0; n < of_body.size(); n++) {
         const std::vector<int>& list = of_body[n];
         const int body = static_cast<int>(n);
+        if (hub_of[n] >= 0) {
+            JointHub& hub = hubs->hubs[as_index(hub_of[n])];
+            hub.at = matrix.block_at(hub.node, hub.node);
+            for (const int joint : list) {
+                const bool hub_later = matrix.is_later(hub.node, joint);
+                hubs->blocks.push_back({hub_later ? matrix.block_at(hub.node, joint)
+                                                  : matrix.block_at(joint, hub.node),
+                                        joint, hub_of[n], joints[as_index(joint)].b == body,
+                                        hub_later});
+            }
+            continue;
+        }
         for (std::size_t i = 0; i < list.size(); i++)
             for (std::size_t k = 0; k <= i; k++) {
                 const bool first_later = matrix.is_later(list[i], list[k]);

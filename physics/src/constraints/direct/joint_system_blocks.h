@@ -1,7 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // The block structure of the matrix J M^-1 J^T of some joints: each body that they can push couples
-// every two of its joints, and each joint with itself.
+// every two of its joints, and each joint with itself. So many joints on one body, as on a chassis,
+// would cost the cube of their number. Such a body, a hub, is a node of its own instead, with its
+// velocity as unknown (D. Baraff, "Linear-time dynamics using Lagrange multipliers", 1996):
+//     | A    J_h |
+//     | J_h' -M_h|
+// Hubs follow the joints in the numbering of nodes.
 #pragma once
 
 #include <cstdint>
@@ -21,11 +26,29 @@ struct JointEnds {
     int a = 0, b = 0;  // body numbers
 };
 
+struct JointHub {
+    int body = 0, at = 0;  // `at`: its diagonal block of 6 rows: v, then w
+    int node = 0;
+};
+struct JointHubBlock {
+    int at;  // of the block; row-major, its rows are those of the later node
+    int joint, hub;
+    bool body_b;     // whether the body is b of the joint
+    bool hub_later;  // whether the hub is eliminated later
+};
+struct JointHubs {
+    std::vector<JointHub> hubs;
+    std::vector<JointHubBlock> blocks;
+};
+inline constexpr std::size_t min_hub_joints = 6;  // fewer are cheaper without a node for the body
+inline constexpr int hub_rows = 6;
+
 // Analyses the matrix with one node per joint and lists the blocks. Returns false, and the results
 // are then unusable, if a factorisation would take more than `max_work` multiplications. `pushed`:
-// indexed by body.
+// indexed by body. `hubs`: if not null, bodies with many joints become hubs.
 bool find_joint_system_blocks(std::span<const JointEnds> joints, std::span<const int> rows,
                               std::span<const std::uint8_t> pushed, std::int64_t max_work,
-                              BlockLdl& matrix, std::vector<JointSystemBlock>& system_blocks);
+                              BlockLdl& matrix, std::vector<JointSystemBlock>& system_blocks,
+                              JointHubs* hubs = nullptr);
 
 }  // namespace jostle::physics

@@ -49,8 +49,7 @@ bool DirectGroup::solve_positions(double h, double tolerance) {
             double* const to = right_side_.data() + matrix_.row_of(static_cast<int>(k));
             for (int r = 0; r < joints[k].rows(); r++) to[r] = -joints[k].error[r] / h;
         }
-        matrix_.solve(right_side_);
-        count_.solves++;
+        solve();
         for (std::size_t k = 0; k < joints.size(); k++) {
             DirectJoint& joint = joints[k];
             double* const more = right_side_.data() + matrix_.row_of(static_cast<int>(k));
@@ -97,6 +96,7 @@ bool DirectGroup::step_rattle(double h, double tolerance) {
     if (sprung_ || actuated_) factor_here();  // along the current free axes
     kick(h, true);
     project_velocities(h, 0);
+    if (looped_) project_velocities(h, 0, false);  // what the compliance of the loop left over
     time_ += h;
     return true;
 }

@@ -140,9 +140,14 @@ struct AxesKernel {
                                          Wide at, JointAxisWide& t, unsigned uses) {
         if (uses == 0) return;
         const WideRow<kAngular> row(pair, direction);
-        if ((uses & uses_spring) != 0)
-            spring_row(pair, row, spring_of<kRelax>(t.soft), at - load(t.spring_at),
-                       load(t.spring_most), t.spring);
+        const WideLimits limits(t.lower_at, t.upper_at);
+        if constexpr (kAngular) at = limits.read(at, t.lower, t.upper);
+        if ((uses & uses_spring) != 0) {
+            const Wide rest = load(t.spring_at);
+            spring_row(pair, row, spring_of<kRelax>(t.soft),
+                       kAngular ? limits.stretch(at, rest) : at - rest, load(t.spring_most),
+                       t.spring);
+        }
         if ((uses & uses_friction) != 0)
             motor_row(pair, row, splat(0), load(t.friction_most), t.friction);
         if ((uses & uses_motor) != 0)
@@ -150,6 +155,7 @@ struct AxesKernel {
         if ((uses & uses_limit) != 0) {
             limit_row<kRelax>(pair, step, row, 1, at - load(t.lower_at), t.lower);
             limit_row<kRelax>(pair, step, row, -1, load(t.upper_at) - at, t.upper);
+            if constexpr (kAngular) limits.mark(at, t.lower, t.upper);
         }
     }
 

@@ -21,6 +21,7 @@ JOSTLE_INLINE void with_kind(int kind, Pass pass, std::type_identity<std::varian
 template <class Pass>
 JOSTLE_INLINE void with_kind(int kind, Pass pass) {
     if (kind == static_cast<int>(driven_ball)) return pass(JointKernel<DrivenBall>{});
+    if (kind == static_cast<int>(limited_hinge)) return pass(JointKernel<HingeJoint>{});
     with_kind(kind, pass, std::type_identity<JointKind>{});
 }
 
@@ -54,7 +55,8 @@ inline void warm_start_joint_range(const JointRange& range, SolverBody* bodies, 
     });
 }
 
-template <bool kRelax>
+// kLoads: adds the loads of the sub-step.
+template <bool kRelax, bool kLoads>
 void solve_joint_range(const JointRange& range, SolverBody* bodies, const JointStep& step) {
     with_kind(range.kind, [&](auto kernel) {
         using Own = typename decltype(kernel)::Own;
@@ -62,7 +64,7 @@ void solve_joint_range(const JointRange& range, SolverBody* bodies, const JointS
             for (int k = range.begin; k < range.end; k++) {
                 JointGearWide& own = range.gears[k - range.first];
                 const JointLoad load = GearKernel::solve<kRelax>(step, own, bodies);
-                if constexpr (kRelax) {
+                if constexpr (kLoads) {
                     JointConstraintWide& block = range.blocks[k];
                     store3(block.force, load3(block.force) + load.impulse);
                     store3(own.torque, load3(own.torque) + load.angular);
@@ -77,7 +79,7 @@ void solve_joint_range(const JointRange& range, SolverBody* bodies, const JointS
                 const JointLoad load =
                     kernel.template solve<kRelax>(pair, step, block, own, range.metas[k].uses);
                 pair.store();
-                if constexpr (kRelax) {
+                if constexpr (kLoads) {
                     store3(block.force, load3(block.force) + load.impulse);
                     if (&own != &nothing) store3(own.torque, load3(own.torque) + load.angular);
                 }

@@ -133,16 +133,19 @@ struct JointKernel<HingeJoint> {
         if ((uses & ~uses_batch) != 0) {
             const HeldRow row(pair, axis, point);
             const Wide3 x = x_axis(frame_b);
-            const Wide angle = arc_tangent(dot(x, y_axis(frame_a)), dot(x, x_axis(frame_a)));
+            const WideLimits limits(t.lower_at, t.upper_at);
+            const Wide angle = limits.read(
+                arc_tangent(dot(x, y_axis(frame_a)), dot(x, x_axis(frame_a))), t.lower, t.upper);
             // The weakest row first, so that the row that must hold is solved last.
             if ((uses & uses_spring) != 0)
-                spring_row(pair, row, spring_of<kRelax>(t.spring_soft), angle - load(t.spring_at),
-                           load(t.drive_most), t.spring);
+                spring_row(pair, row, spring_of<kRelax>(t.spring_soft),
+                           limits.stretch(angle, load(t.spring_at)), load(t.drive_most), t.spring);
             if ((uses & uses_motor) != 0)
                 motor_row(pair, row, load(t.motor_speed), load(t.motor_most), t.motor);
             if ((uses & uses_limit) != 0) {
                 limit_row<kRelax>(pair, step, row, 1, angle - load(t.lower_at), t.lower);
                 limit_row<kRelax>(pair, step, row, -1, load(t.upper_at) - angle, t.upper);
+                limits.mark(angle, t.lower, t.upper);
             }
         }
         hold_axis(pair, rigid<kRelax>(step), axis, cross(axis, z_axis(frame_b)), angular);
@@ -198,10 +201,13 @@ struct JointKernel<ConeTwistJoint> {
             const WideQuat q = conjugate(frame_a) * frame_b;
             // q and -q are the same rotation. Use the one of less than 180 degrees.
             const Wide sign = select(splat(0) > q.w, splat(-1), splat(1));
-            const Wide twist = splat(2) * arc_tangent(q.x * sign, q.w * sign);
+            const WideLimits limits(t.lower_at, t.upper_at);
+            const Wide twist =
+                limits.read(splat(2) * arc_tangent(q.x * sign, q.w * sign), t.lower, t.upper);
             const HeldRow row(pair, axes.twist, point);
             limit_row<kRelax>(pair, step, row, 1, twist - load(t.lower_at), t.lower);
             limit_row<kRelax>(pair, step, row, -1, load(t.upper_at) - twist, t.upper);
+            limits.mark(twist, t.lower, t.upper);
         }
         const Wide swing = arc_tangent(axes.sine, axes.cosine);
         limit_row<kRelax>(pair, step, HeldRow(pair, axes.swing, point), -1,

@@ -48,6 +48,10 @@ inline Softness spring_or(const JointSpring& spring, double h, const Softness& o
     return spring.hertz > 0 ? physics::spring(spring.hertz, spring.damping_ratio, h) : other;
 }
 
+inline Softness held_spring_or(const JointSpring& spring, double h, const Softness& other) {
+    return spring.hertz > 0 ? held_spring(spring.hertz, spring.damping_ratio, h) : other;
+}
+
 // Maximum impulse of a spring in a sub-step, N s or N m s.
 inline double strongest(double most, double h) {
     ASSERT(most >= 0 && h > 0);

@@ -9,6 +9,7 @@
 
 #include "physics/src/constraint_graph/joint_constraint_wide.h"
 #include "physics/src/constraints/contact_kernel.h"
+#include "physics/src/constraints/joints/angles.h"
 #include "physics/src/constraints/joints/joint_step.h"
 #include "physics/src/math/wide_rotation.h"
 
@@ -352,6 +353,42 @@ JOSTLE_INLINE void limit_row(JointPair& pair, const JointStep& step, const Row& 
     row.apply(pair, (now - old_impulse) * splat(sign));
     store(stored, now);
 }
+
+// An angle of -pi..pi as the same angle within half a turn of `near`.
+JOSTLE_INLINE Wide nearest_angle(Wide angle, Wide near) {
+    const Wide half = splat(3.14159265f), turn = splat(6.28318531f), off = angle - near;
+    return angle + select(off > half, -turn, select(-half > off, turn, splat(0)));
+}
+// The limits of a rotation (constraints/joints/angles.h), and its angle as they read it.
+struct WideLimits {
+    Wide lower_at, upper_at;
+    WideMask ambiguous;
+
+    JOSTLE_INLINE WideLimits(const float* lower, const float* upper)
+        : lower_at(load(lower)), upper_at(load(upper)) {
+        const Wide range = upper_at - lower_at;
+        ambiguous =
+            (range > splat(as_float(ambiguous_range))) & (splat(as_float(2 * pi + 1e-3)) > range);
+    }
+    JOSTLE_INLINE Wide read(Wide angle, const float* lower, const float* upper) const {
+        const Wide zero = splat(0), middle = (lower_at + upper_at) * splat(0.5f);
+        const Wide side =
+            select(load(upper) > zero, upper_at, select(load(lower) > zero, lower_at, middle));
+        return nearest_angle(angle, select(ambiguous, side, middle));
+    }
+    // Displacement of a spring from its rest angle. Lanes without limits have distant ones.
+    JOSTLE_INLINE Wide stretch(Wide angle, Wide rest) const {
+        return select(upper_at > splat(1e29f), nearest_angle(angle, rest), angle) - rest;
+    }
+    JOSTLE_INLINE void mark(Wide angle, float* lower, float* upper) const {
+        if (lane_bits(ambiguous) == 0) return;
+        const Wide margin = splat(as_float(side_margin)), least = splat(as_float(side_mark));
+        store(lower, select(ambiguous & (lower_at + margin > angle), max(load(lower), least),
+                            load(lower)));
+        store(upper, select(ambiguous & (angle > upper_at - margin), max(load(upper), least),
+                            load(upper)));
+    }
+};
 
 // Pulls the row's value `error` to zero with at most `strongest` per sub-step.
 template <bool kAngular>

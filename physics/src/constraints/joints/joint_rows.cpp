@@ -20,6 +20,13 @@ Vec3 turn_between(Quat from, Quat to) {
     return axis * (2 * arc_tangent(sine, absolute(q.w)) / sine);
 }
 
+// Between limits a spring never pulls through them. Otherwise it pulls the shorter way.
+double spring_error(const JointLimit& limit, double angle, double rest) {
+    return limit.enabled ? angle - rest : nearest_angle(angle, rest) - rest;
+}
+
+constexpr double unused[AxisImpulses::count] = {};
+
 struct JointRowWriter {
     const Joint& joint;
     const JointEnd &a, &b;
@@ -134,8 +141,10 @@ struct JointRowWriter {
     void operator()(const HingeJoint& kind) {
         const Mat3 fa = to_matrix(a.frame), fb = to_matrix(b.frame);
         const JointRow axis = about(RowRole::rotation, 2, fa.z);
-        const double angle = hinge_angle(a.frame, b.frame);
-        spring(axis, kind.spring, angle - kind.spring_angle, kind.spring_max_torque);
+        const double angle = nearest_angle(hinge_angle(a.frame, b.frame),
+                                           reference_angle(kind.limit, joint.lower, joint.upper));
+        spring(axis, kind.spring, spring_error(kind.limit, angle, kind.spring_angle),
+               kind.spring_max_torque);
         motor(axis, kind.motor.enabled, kind.motor.speed, kind.motor.max_torque);
         limits(axis, kind.limit, angle);
         const Vec3 off = cross(fa.z, fb.z);
@@ -155,7 +164,8 @@ struct JointRowWriter {
         drive(kind.drive);
         rub(kind.friction_torque);
         limits(about(RowRole::limit, 0, (xa + xb) * (1 / maximum(1 + cosine, 0.05))), kind.twist,
-               twist_angle(a.frame, b.frame));
+               nearest_angle(twist_angle(a.frame, b.frame),
+                             reference_angle(kind.twist, joint.lower, joint.upper)));
         const Vec3 swing = sine > 1e-12 ? away * (1 / sine) : rotate(a.frame, Vec3{0, 1, 0});
         JointRow& cone = add(about(RowRole::limit, 1, -swing));
         cone.one_sided = true;
@@ -249,9 +259,19 @@ struct JointRowWriter {
             const JointAxis& axis = layout.axes[static_cast<std::size_t>(k)];
             if (!axis.free) continue;
             const JointRow row = row_of(k);
-            const double value = value_of(k);
+            double value = value_of(k), error = value - axis.spring_target;
+            if (k >= 3) {
+                const int slot = layout.slots[static_cast<std::size_t>(k)];
+                const double* const impulses =
+                    slot < 0 ? unused
+                             : &joint.memory[static_cast<std::size_t>(slot) * AxisImpulses::count];
+                value =
+                    nearest_angle(value, reference_angle(axis.limit, impulses[AxisImpulses::lower],
+                                                         impulses[AxisImpulses::upper]));
+                error = spring_error(axis.limit, value, axis.spring_target);
+            }
             friction(row, axis.friction);
-            spring(row, axis.spring, value - axis.spring_target, axis.spring_max_force);
+            spring(row, axis.spring, error, axis.spring_max_force);
             motor(row, axis.motor.enabled, axis.motor.speed, axis.motor.max_force);
             limits(row, axis.limit, value);
         }

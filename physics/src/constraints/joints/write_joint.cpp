@@ -51,7 +51,7 @@ struct JointWriteContext {
     void operator()(const auto&) {}  // writes its data elsewhere
     void drive(const RotationDrive& drive) {
         const bool driven = drive.spring.hertz > 0;
-        lane.put(t.spring_soft, driven ? spring_or(drive.spring, h, {}) : switched_off);
+        lane.put(t.spring_soft, driven ? held_spring_or(drive.spring, h, {}) : switched_off);
         lane.put(t.drive_most, driven ? drive.max_torque * h : 0);
         if (!driven) return;
         lane.put(t.drive, b.frame * conjugate(a.frame * unit(drive.target)));
@@ -65,7 +65,7 @@ struct JointWriteContext {
     void operator()(const HingeJoint& kind) {
         frames();
         limit(kind.limit.enabled, kind.limit.lower, kind.limit.upper);
-        spring(kind.spring.hertz > 0, spring_or(kind.spring, h, {}), kind.spring_angle);
+        spring(kind.spring.hertz > 0, held_spring_or(kind.spring, h, {}), kind.spring_angle);
         lane.put(t.drive_most, strongest(kind.spring_max_torque, h));
         motor(kind.motor.enabled, kind.motor.speed, kind.motor.max_torque);
     }

@@ -8,6 +8,7 @@
 #include "physics/src/collision/narrowphase/collide_pairs.h"
 #include "physics/src/constraints/write_manifold.h"
 #include "physics/src/foundation/tuning.h"
+#include "physics/src/stages/contacts/find_seam_neighbours.h"
 #include "physics/src/stages/contacts/pair_motion.h"
 #include "physics/src/stages/contacts/predicted_pair.h"
 #include "physics/src/stages/continuous/ccd_policy.h"
@@ -154,6 +155,17 @@ bool is_even_surface(const ShapedBodies& stores, const Contact& c) {
            motion_of(stores, c.body_b).w == Vec3{};
 }
 
+// The shapes next to those of the pair, as predicted at the same time.
+SeamNeighbours predicted_neighbours(const WorldState& world, const Contact& c, double time) {
+    const SeamShapes shapes = find_seam_neighbours(world, c);
+    SeamNeighbours neighbours;
+    for (const std::uint32_t shape : shapes.of_a)
+        neighbours.of_a.push_back(predicted_shape(world, shape, time));
+    for (const std::uint32_t shape : shapes.of_b)
+        neighbours.of_b.push_back(predicted_shape(world, shape, time));
+    return neighbours;
+}
+
 // The motion of a relative to b in the step, starting from the predicted pose.
 SurfaceMotion surface_motion_of(const BodySets& sets, const Contact& c, const PredictedPair& pair,
                                 double dt) {
@@ -176,26 +188,36 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
     std::optional<double> contact_time;
     if (swept && uses_speculative_contact(step, c.shape_a, c.shape_b))
         contact_time = time_to_contact(world, c, dt);
-    const double time = contact_time && *contact_time > 0
-                            ? *contact_time
-                            : midpoint_time(world, c, displacement, dt);
-    const double lookahead = displacement * time / dt;
+    double time = contact_time && *contact_time > 0 ? *contact_time
+                                                    : midpoint_time(world, c, displacement, dt);
     std::vector<ChildManifold> children;
-    const PredictedPair pair(world, c, time);
     // Pairs that move by more than the slack are tested again in the next step. Until then only the
     // region that they approach matters.
-    std::optional<SurfaceMotion> surface_motion;
-    if (displacement > tuning::composite_slack * scale && is_even_surface(world, c))
-        surface_motion = surface_motion_of(world, c, pair, dt);
-    collide_composite(pair.shape_a(), pair.shape_b(),
-                      tuning::speculative_margin * scale + task.near, children,
-                      &step.scratch.stopped, surface_motion ? &*surface_motion : nullptr);
+    const bool moves_far = displacement > tuning::composite_slack * scale;
+    // Returns whether a neighbour covers a contact.
+    const auto collide_at = [&](const PredictedPair& pair) {
+        std::optional<SurfaceMotion> motion;
+        if (moves_far && is_even_surface(world, c)) motion = surface_motion_of(world, c, pair, dt);
+        const SeamNeighbours neighbours = predicted_neighbours(world, c, pair.time());
+        children.clear();
+        return collide_composite(pair.shape_a(), pair.shape_b(),
+                                 tuning::speculative_margin * scale + task.near, children,
+                                 &step.scratch.stopped, motion ? &*motion : nullptr, &neighbours);
+    };
+    // A neighbour that covers a contact is tested at the time of its forces, when it may no longer
+    // cover this one.
+    if (collide_at({world, c, time}) && c.touching_children == 0) {
+        time = time_of_forces(world, c, displacement, dt);
+        collide_at({world, c, time});
+    }
+    const PredictedPair pair(world, c, time);
+    const double lookahead = displacement * time / dt;
     if (is_stopped(step)) {
         task.done = true;  // unchanged
         return;
     }
     for (ChildManifold& child : children) pair.rewind_manifold(child.manifold, lookahead);
-    task.near = surface_motion ? 0 : task.near - lookahead;
+    task.near = moves_far && is_even_surface(world, c) ? 0 : task.near - lookahead;
     ASSERT(task.list >= 0 && task.list < scratch.child_list_count);
     std::vector<FoundChild>& found = scratch.children[static_cast<std::size_t>(task.list)];
     found.clear();
@@ -231,19 +253,27 @@ Approach approach_of(const ConstraintGraph& graph, const Contact& c) {
     return {normal_of(lane_ref), gap};
 }
 
+// Tests a pair at predicted poses. `covered`: whether a neighbour covers the contact.
+Manifold test_pair(const WorldState& world, Contact& c, const PredictedPair& pair, double margin,
+                   double lookahead, bool& covered) {
+    const TransformedShape &a = pair.shape_a(), &b = pair.shape_b();
+    Manifold m =
+        world.def.planar ? collide_planar(a, b, margin, c.cache) : collide(a, b, margin, c.cache);
+    covered = m.count > 0 && !world.def.planar && kind_of(*b.geometry) != ShapeKind::plane &&
+              apply_seams(m, a, b, predicted_neighbours(world, c, pair.time()), margin);
+    pair.rewind_manifold(m, lookahead);
+    return m;
+}
+
 // The points where a pair may touch in this step.
-Manifold predicted_manifold(const StepContext& step, Contact& c) {
+Manifold predicted_manifold(const StepContext& step, Contact& c, bool& covered) {
     WorldState& world = step.world;
     const double dt = step.dt;
     const double displacement = max_closing_distance(world, c, dt),
                  scale = scale_of_pair(world.bodies, c);
     const double predicted = tuning::speculative_margin * scale, past = tuning::just_past * scale;
     const auto within = [&](double margin, const PredictedPair& pair) {
-        const TransformedShape &a = pair.shape_a(), &b = pair.shape_b();
-        Manifold m = world.def.planar ? collide_planar(a, b, margin, c.cache)
-                                      : collide(a, b, margin, c.cache);
-        pair.rewind_manifold(m, displacement * pair.time() / dt);
-        return m;
+        return test_pair(world, c, pair, margin, displacement * pair.time() / dt, covered);
     };
     const PredictedPair pair(world, c, midpoint_time(world, c, displacement, dt));
     const bool swept = will_be_swept(step, c, displacement);
@@ -288,6 +318,20 @@ void keep_deepest_point(Manifold& m) {
     m.point[0] = m.point[deepest];
     m.gap[0] = m.gap[deepest];
     m.count = 1;
+}
+
+// A neighbour that covers a contact is tested at the time of its forces, when it may no longer
+// cover this one. A pair that does not touch is then tested at that time, too.
+Manifold predicted_manifold(const StepContext& step, Contact& c) {
+    WorldState& world = step.world;
+    bool covered = false;
+    const Manifold m = predicted_manifold(step, c, covered);
+    if (!covered || c.touching) return m;
+    const double displacement = max_closing_distance(world, c, step.dt);
+    const double time = time_of_forces(world, c, displacement, step.dt);
+    const double margin = tuning::speculative_margin * scale_of_pair(world.bodies, c) +
+                          closing_reach(world.bodies, c, displacement);
+    return test_pair(world, c, {world, c, time}, margin, displacement * time / step.dt, covered);
 }
 
 // For a pair that is about to bounce: update_touching decides whether it is in a cluster, in which

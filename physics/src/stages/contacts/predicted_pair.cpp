@@ -20,6 +20,19 @@ SweptShape swept(const ShapedBodies& stores, std::uint32_t body, std::uint32_t s
             {0, warm.center, warm.rotation, warm.v * dt, warm.w * dt}};
 }
 
+// The pose of a body at a time from the start of the step, at its current velocities.
+BodyWarm predicted_body(const BodyWarm& warm, double time) {
+    BodyWarm later = warm;
+    later.center += warm.v * time;
+    later.rotation = normalized(from_rotation_vector(warm.w * time) * warm.rotation);
+    later.axes = to_matrix(later.rotation);
+    return later;
+}
+
+bool moves(const BodyWarm& warm, double time) {
+    return time != 0 && (warm.v != Vec3{} || warm.w != Vec3{});
+}
+
 }  // namespace
 
 PredictedPair::Side::Side(const ShapedBodies& stores, std::uint32_t body, std::uint32_t shape_index,
@@ -29,14 +42,11 @@ PredictedPair::Side::Side(const ShapedBodies& stores, std::uint32_t body, std::u
     v = warm.v;
     w = warm.w;
     center = warm.center;
-    if (time == 0 || (v == Vec3{} && w == Vec3{})) {
+    if (!moves(warm, time)) {
         shape = transformed_shape(record, warm);
         return;
     }
-    BodyWarm later = warm;
-    later.center += v * time;
-    later.rotation = normalized(from_rotation_vector(w * time) * warm.rotation);
-    later.axes = to_matrix(later.rotation);
+    const BodyWarm later = predicted_body(warm, time);
     center = later.center;
     shape = transformed_shape(record, later);
 }
@@ -66,15 +76,19 @@ void PredictedPair::rewind_manifold(Manifold& m, double displacement) const {
 // The forces of n sub-steps act at their starts, on average (n - 1) / 2n of a step after its start.
 // The prediction is limited to half the thickness, because a body may be stopped before it gets
 // there.
-double midpoint_time(const ContactGraph& stores, const Contact& c, double displacement, double dt) {
-    const bool touching = c.composite ? c.touching_children > 0 : c.touching;
-    if (!touching || displacement < tuning::noticed_motion * scale_of_pair(stores.bodies, c))
-        return 0;
+double time_of_forces(const ContactGraph& stores, const Contact& c, double displacement,
+                      double dt) {
+    if (displacement < tuning::noticed_motion * scale_of_pair(stores.bodies, c)) return 0;
     const BodyCold &a = stores.bodies.cold[c.body_a], &b = stores.bodies.cold[c.body_b];
     const double thin =
         b.type == BodyType::dynamic ? minimum(a.inner_radius, b.inner_radius) : a.inner_radius;
     const int n = substeps_of(stores.islands.islands[a.island].colour_set, stores);
     return dt * minimum(0.5 - 0.5 / n, 0.5 * thin / displacement);
+}
+
+double midpoint_time(const ContactGraph& stores, const Contact& c, double displacement, double dt) {
+    const bool touching = c.composite ? c.touching_children > 0 : c.touching;
+    return touching ? time_of_forces(stores, c, displacement, dt) : 0;
 }
 
 std::optional<double> time_to_contact(const ShapedBodies& stores, const Contact& c, double dt) {
@@ -84,6 +98,12 @@ std::optional<double> time_to_contact(const ShapedBodies& stores, const Contact&
     if (impact.at_start) return 0;
     if (impact.fraction > 1) return std::nullopt;
     return impact.fraction * dt;
+}
+
+TransformedShape predicted_shape(const ShapedBodies& stores, std::uint32_t shape, double time) {
+    const ShapeRecord& record = stores.shapes.shapes[shape];
+    const BodyWarm& warm = warm_of(stores, record.body);
+    return transformed_shape(record, moves(warm, time) ? predicted_body(warm, time) : warm);
 }
 
 double smallest_gap(const Manifold& m) {

@@ -48,8 +48,11 @@ private:
     Side a_, b_;
 };
 
-// s from the start of the step: the mean time of its forces if the pair touches and has a relative
-// displacement of `displacement` metres; otherwise 0.
+// s from the start of the step: the mean time of the forces of a touching pair with a relative
+// displacement of `displacement` metres; 0 if it is too small to matter.
+double time_of_forces(const ContactGraph& stores, const Contact& contact, double displacement,
+                      double dt);
+// The same; 0 for a pair that does not touch.
 double midpoint_time(const ContactGraph& stores, const Contact& contact, double displacement,
                      double dt);
 
@@ -57,6 +60,9 @@ double midpoint_time(const ContactGraph& stores, const Contact& contact, double 
 // does not touch.
 std::optional<double> time_to_contact(const ShapedBodies& stores, const Contact& contact,
                                       double dt);
+
+// A shape as predicted `time` seconds from the start of the step.
+TransformedShape predicted_shape(const ShapedBodies& stores, std::uint32_t shape, double time);
 
 double smallest_gap(const Manifold& manifold);  // m
 

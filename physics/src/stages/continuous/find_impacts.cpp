@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "jostle/base/check.h"
+#include "physics/src/collision/narrowphase/seams.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/contacts/find_clusters.h"
 #include "physics/src/stages/continuous/swept_shapes.h"
@@ -112,11 +113,46 @@ private:
         return points_touching(pair.a, pair.b, fraction, 5 * gap_);
     }
 
+    // The shapes that may form one floor with the other shape, where they are at that fraction: its
+    // body's, and if it is not dynamic, those of other such bodies.
+    std::vector<TransformedShape> floor_at(double fraction) const {
+        const WorldState& world = state_.world;
+        const auto gives_way = [&](std::uint32_t body) {
+            return world.bodies.cold[body].type == BodyType::dynamic;
+        };
+        std::vector<TransformedShape> shapes;
+        for (const std::uint32_t shape : t_.candidates) {
+            const std::uint32_t body = world.shapes.shapes[shape].body;
+            if (shape == other_ ||
+                (body != other_body_ && (gives_way(body) || gives_way(other_body_))))
+                continue;
+            const SweptShape swept = swept_shape(world, shape, sweep_of(state_, body));
+            if (fraction >= swept.sweep.from)
+                shapes.push_back(transformed_shape_at(swept, fraction));
+        }
+        return shapes;
+    }
+
+    // A shape that slides from one piece of a floor onto the next one does not hit its side. Drops
+    // such points: the piece that covers them is swept on its own.
+    void drop_covered_points(const SweptPair& pair, double fraction,
+                             std::vector<ImpactPoint>& points) const {
+        const std::vector<TransformedShape> floor = floor_at(fraction);
+        if (floor.empty()) return;
+        const TransformedShape own = transformed_shape_at(pair.a, fraction),
+                               other = transformed_shape_at(pair.b, fraction);
+        const double margin = tuning::touch_gap / tuning::sweep_gap * gap_;
+        std::erase_if(points, [&](const ImpactPoint& p) {
+            return is_covered(other, own, p.position, -p.normal, floor, margin);
+        });
+    }
+
     // Records an impact, unless an earlier or harder one is known. Returns false if the shapes do
     // not approach at that time.
-    bool record(const SweptPair& pair, double fraction, const std::vector<ImpactPoint>& points,
+    bool record(const SweptPair& pair, double fraction, std::vector<ImpactPoint> points,
                 ApproachTest approach) {
         if (fraction > t_.fraction) return true;
+        drop_covered_points(pair, fraction, points);
         const std::optional<double> closing = closing_speed(points, fraction, approach);
         if (!closing) return false;
         if (fraction == t_.fraction && *closing <= t_.closing) return true;

@@ -299,6 +299,7 @@ void advance(StepContext& step, std::uint32_t island, std::span<FreeMotion> moti
     Island& of = step.world.islands.islands[island];
     if (wants_trial(step, index_of(of.colour_set))) {
         DirectGroup trial = group.solver;
+        trial.is_trial = true;
         trial.advance(step.dt, group.substeps / 2);
         group.solver.advance(step.dt, group.substeps);
         compare(step, group, trial, of);

@@ -53,6 +53,10 @@ bool shares_levels(const JointTask& task);
 void solve_joints(StepContext& step, const JointTask& task, double h);
 // A rigid pass without position correction.
 void relax_joints(StepContext& step, const JointTask& task, double h);
+// Repeat both passes after the contacts, for hinges with limits and cones: an impact would push a
+// limb through its limit otherwise.
+void solve_limits(StepContext& step, const JointTask& task, double h);
+void relax_limits(StepContext& step, const JointTask& task, double h);
 // Call after the last sub-step: writes impulses and loads to the joints.
 void finish_joints(StepContext& step, const JointTask& task);
 // Call serially after all tasks: breaks overloaded joints in ascending order, with an event for

@@ -75,6 +75,7 @@ void run_substeps(StepContext& step, const SolverTask& task, const ContactSettin
         solve_joints(step, joints, h);
         solve_joint_batches(step, joints, h, false);
         solve(contacts);
+        solve_limits(step, joints, h);
         begin_gyroscopic(step, joints.bodies, h);
         solve_joint_batches(step, joints, h, true);
         each_body(step, task, [&](std::span<const std::uint32_t> some) {
@@ -84,6 +85,7 @@ void run_substeps(StepContext& step, const SolverTask& task, const ContactSettin
         kernel.advance(range_of(scratch, kinematic), set.h);
         relax_joints(step, joints, h);
         relax(contacts, last);
+        relax_limits(step, joints, h);
         relax_joint_batches(step, joints, h);
         if (bounces) record_peaks(contacts);
         substep_info.after = true;

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "tests/physics/constraints/direct/small_groups.h"
 
 namespace jostle::test {
@@ -82,7 +84,7 @@ TEST(DirectGroup, conserves_momenta_of_a_tumbling_group) {
 }
 
 // Four hinges of a parallelogram: three of their twenty rows follow from the others.
-TEST(DirectGroup, skips_redundant_rows_of_a_loop) {
+TEST(DirectGroup, keeps_the_energy_of_a_loop_with_redundant_rows) {
     DirectGroup group;
     const Vec3 rod{0.0841667, 0.0841667, 0.0016667};
     group.bodies = {ground(), body_at({0, 0, -0.5}, 1, rod), body_at({1.5, 0, -0.5}, 1, rod),
@@ -98,9 +100,170 @@ TEST(DirectGroup, skips_redundant_rows_of_a_loop) {
     const double fit = energy(group);
     EXPECT_LT(fit, before);
     for (int k = 0; k < 600; k++) group.advance(1.0 / 60, 8);
-    EXPECT_EQ(group.count().skipped_rows, 3);
     EXPECT_NEAR(energy(group), fit, 1e-5);
     EXPECT_LT(widest_gap(group), 1e-6);
+}
+
+// A rod between two points, with its y axis along it.
+int add_rod(DirectGroup& group, Vec3 from, Vec3 to, double radius, double mass, Vec3 gravity) {
+    const Vec3 along = to - from;
+    const double half = 0.5 * length(along);
+    const double across = mass / 3 * (half * half + radius * radius);
+    DirectBody rod =
+        body_at((from + to) * 0.5, mass, {across, mass / 1.5 * radius * radius, across});
+    const Vec3 y = normalized(along), axis = cross(Vec3{0, 1, 0}, y);
+    rod.q = normalized(Quat{axis.x, axis.y, axis.z, 1 + y.y});
+    rod.force = gravity * mass;
+    refresh(rod);
+    group.bodies.push_back(rod);
+    return static_cast<int>(group.bodies.size()) - 1;
+}
+
+void hinge_at(DirectGroup& group, int a, int b, Vec3 point, Vec3 axis) {
+    const Vec3 turn = cross(Vec3{0, 0, 1}, axis);
+    const Quat frame = normalized(Quat{turn.x, turn.y, turn.z, 1 + axis.z});
+    const auto end = [&](int k) -> DirectEnd {
+        const DirectBody& body = group.bodies[static_cast<std::size_t>(k)];
+        return {inverse_rotate(body.q, point - body.x), conjugate(body.q) * frame};
+    };
+    DirectJoint joint;
+    joint.a = a;
+    joint.b = b;
+    set_up(joint, HingeJoint{}, end(a), end(b));
+    write_vectors(joint, group.bodies[static_cast<std::size_t>(a)],
+                  group.bodies[static_cast<std::size_t>(b)]);
+    group.joints.push_back(joint);
+}
+
+// Four bars whose skew hinges leave one motion, although 20 rows hold 18 degrees of freedom (G. T.
+// Bennett, 1903). The energy stays within 0.03 % of the largest kinetic energy, 9.8 J.
+TEST(DirectGroup, bennett_linkage_keeps_moving) {
+    const Vec3 corners[] = {{0.4, 0, 0.25}, {0, 0.3, -0.25}, {-0.4, 0, 0.25}, {0, -0.3, -0.25}};
+    for (const int substeps : {1, 2, 4, 8}) {
+        DirectGroup group;
+        group.bodies.push_back(ground());
+        for (int k = 0; k < 4; k++) {
+            const Vec3 here = corners[k], next = corners[(k + 1) % 4], last = corners[(k + 3) % 4];
+            if (k < 3) add_rod(group, here, next, 0.02, 1 + 0.3 * k, {2, 3, -9});
+            hinge_at(group, k == 3 ? 0 : k, k == 3 ? 3 : k + 1, here,
+                     normalized(cross(here - last, next - here)));
+        }
+        group.prepare();
+        const double before = energy(group);
+        double worst = 0, gap = 0;
+        for (int k = 0; k < 600; k++) {
+            group.advance(1.0 / 60, substeps);
+            worst = maximum(worst, std::abs(energy(group) - before));
+            gap = maximum(gap, widest_gap(group));
+        }
+        EXPECT_LT(worst, 3e-3) << substeps;
+        EXPECT_LT(gap, 1e-7) << substeps;
+        EXPECT_EQ(group.count().last_resorts, 0) << substeps;
+    }
+}
+
+// A load of a thousand times the mass of a link swings down from the horizontal.
+TEST(DirectGroup, heavy_loads_on_chains_keep_their_energy) {
+    struct Case {
+        int links;
+        double hz;
+        int substeps;
+    };
+    for (const Case& each : {Case{20, 30, 1}, Case{20, 60, 1}, Case{20, 60, 8}, Case{100, 60, 4}}) {
+        DirectGroup group = chain(each.links, 1000);
+        const double before = energy(group), fall = 100 * g * 0.2 * each.links;
+        double worst = 0, gap = 0;
+        for (int k = 0; k < 2 * each.hz; k++) {
+            group.advance(1 / each.hz, each.substeps);
+            worst = maximum(worst, std::abs(energy(group) - before));
+            gap = maximum(gap, widest_gap(group));
+        }
+        EXPECT_LT(worst, 1e-4 * fall) << each.links << " links, " << each.hz << " Hz";
+        EXPECT_LT(gap, 1e-4) << each.links << " links, " << each.hz << " Hz";
+        EXPECT_EQ(group.count().last_resorts, 0);
+    }
+}
+
+// A rod swings from 163 degrees. Finer steps keep its energy better, to rounding.
+TEST(DirectGroup, pendulum_improves_with_finer_steps) {
+    double last = 1;
+    for (const double hz : {60.0, 120.0, 240.0, 480.0}) {
+        DirectGroup group;
+        const double start = 163 * pi / 180;
+        group.bodies = {ground(), body_at(Vec3{std::sin(start), 0, -std::cos(start)} * 0.5, 1,
+                                          {0.0841667, 0.0841667, 0.0016667})};
+        group.bodies[1].q = from_axis_angle({0, 1, 0}, -start);
+        refresh(group.bodies[1]);
+        hinge_at(group, 0, 1, {}, {0, 1, 0});
+        group.prepare();
+        const double before = energy(group);
+        double worst = 0;
+        for (int k = 0; k < 10 * hz; k++) {
+            group.advance(1 / hz, 8);
+            worst = maximum(worst, std::abs(energy(group) - before));
+        }
+        EXPECT_LT(worst, 0.3 * last) << hz;
+        last = maximum(worst, 3e-12);
+    }
+}
+
+// A straight bridge between two walls cannot bend, so its weight asks for any tension: it stays
+// where it is and gains nothing.
+TEST(DirectGroup, straight_bridge_gains_no_energy) {
+    for (const double hz : {30.0, 60.0})
+        for (const int substeps : {1, 8}) {
+            DirectGroup group;
+            group.bodies.push_back(ground());
+            constexpr int planks = 20;
+            for (int k = 0; k <= planks; k++) {
+                const Vec3 here{0.5 * k, 0, 0};
+                if (k < planks) add_rod(group, here, here + Vec3{0.5, 0, 0}, 0.05, 100, {0, 0, -g});
+                hinge_at(group, k, k < planks ? k + 1 : 0, here, {0, 1, 0});
+            }
+            group.prepare();
+            const double before = energy(group);
+            double most = before, gap = 0;
+            for (int k = 0; k < 2 * hz; k++) {
+                group.advance(1 / hz, substeps);
+                most = maximum(most, energy(group));
+                gap = maximum(gap, widest_gap(group));
+            }
+            EXPECT_LT(most - before, 1e-6) << hz << " Hz, " << substeps;
+            EXPECT_LT(gap, 2e-3) << hz << " Hz, " << substeps;
+        }
+}
+
+// Forty wheels on hinges of one tumbling chassis: work in proportion to the wheels.
+TEST(DirectGroup, solves_a_hub_in_linear_time) {
+    DirectGroup group;
+    constexpr int wheels = 40;
+    group.bodies.push_back(body_at({}, 100, {20, 30, 40}));
+    group.bodies[0].l = {8, 30, 12};
+    for (int k = 0; k < wheels; k++) {
+        const Vec3 at{0.1 * k - 2, -0.2, k % 2 == 0 ? 0.5 : -0.5};
+        const Vec3 turn{0.4, 1, 0.3};
+        group.bodies.push_back(body_at(at, 2, {0.02, 0.02, 0.04}));
+        group.bodies.back().p = cross(turn, at) * 2;
+        group.bodies.back().l = {0.02 * turn.x, 0.02 * turn.y, 0.04 * (turn.z + k % 3)};
+        join(group, 0, k + 1, HingeJoint{}, at, {});
+    }
+    for (DirectBody& body : group.bodies) body.force = {};
+    // Five rows a joint; all pairs of joints would take 40 times as much.
+    ASSERT_TRUE(group.prepare(wheels * 64 * 125));
+    const auto spin_sum = [&] {
+        Vec3 sum;
+        for (const DirectBody& body : group.bodies) sum += body.l + cross(body.x, body.p);
+        return sum;
+    };
+    const Vec3 turning = spin_sum();
+    group.advance(1.0 / 60, 8);
+    const double before = energy(group);  // velocities are made to fit
+    for (int k = 0; k < 120; k++) group.advance(1.0 / 60, 8);
+    EXPECT_NEAR(energy(group), before, 1e-5 * before);
+    EXPECT_LT(length(spin_sum() - turning), 1e-9);
+    EXPECT_LT(widest_gap(group), 1e-8);
+    EXPECT_EQ(group.count().last_resorts, 0);
+    EXPECT_EQ(group.count().energy_steps, 0);
 }
 
 // A motor gives its most until it reaches its speed, then what it takes; a limit stops it.

@@ -1,4 +1,4 @@
-import { expect, it } from 'vitest';
+import { expect, it, vi } from 'vitest';
 import { Queries, withToken, type Post } from './queries.js';
 
 const ray = { rays: [{ origin: { x: 0, y: 5, z: 0 }, motion: { x: 0, y: -10, z: 0 } }] };
@@ -40,6 +40,19 @@ it('retries after a busy server', async () => {
   expect(await queries.debug({ contacts: true })).toBeUndefined();
   expect((await queries.debug({ contacts: true }))!.tick).toBe(1);
   expect(requests.length).toBe(2);
+});
+
+it('sends no queries until a server that refused one accepts them again', async () => {
+  vi.useFakeTimers();
+  const { requests, post } = server([429, '{"code":"RESOURCE_EXHAUSTED","retryAfterMs":1500}'], [200, '{"tick":1}']);
+  const queries = new Queries(() => 'w1', post);
+  expect(await queries.castRays(ray)).toBeUndefined();
+  vi.advanceTimersByTime(1400);
+  expect(await queries.castRays(ray)).toBeUndefined();
+  expect(requests.length).toBe(1);
+  vi.advanceTimersByTime(200);
+  expect((await queries.castRays(ray))!.tick).toBe(1);
+  vi.useRealTimers();
 });
 
 it('treats malformed responses, failed requests and left worlds as no response', async () => {

@@ -13,6 +13,13 @@ import {
 
 const QUERY_TIMEOUT_MS = 10_000; // a page without a graphics processor may be busy for seconds
 const NOT_SERVED = [404, 501];
+const TOO_MANY = 429;
+
+/** The time to retry in an error response, ms. */
+function retryAfterMs(text: string): number {
+  const { retryAfterMs } = JSON.parse(text) as { retryAfterMs?: unknown };
+  return typeof retryAfterMs === 'number' ? retryAfterMs : 0;
+}
 
 export type Post = (path: string, body: string, signal: AbortSignal) => Promise<{ status: number; text(): Promise<string> }>;
 
@@ -31,6 +38,7 @@ export class Queries {
   // A server may be older than this client. A method that it does not serve is not requested again in
   // the same world. It is requested in the next world, because 404 also means that the world is gone.
   private readonly notServed = new Set<string>();
+  private notBeforeMs = 0; // performance.now() before which the server refuses queries
 
   constructor(
     private readonly world: () => string,
@@ -53,13 +61,14 @@ export class Queries {
   ): Promise<MessageShape<Response> | undefined> {
     const world = this.world();
     const key = `${method} in ${world}`;
-    if (world === '' || this.notServed.has(key)) return undefined;
+    if (world === '' || this.notServed.has(key) || performance.now() < this.notBeforeMs) return undefined;
     try {
       const message = create(requestSchema, { ...request, world } as MessageInitShape<Request>);
       const response = await this.post(`api/query/${method}`, toJsonString(requestSchema, message), AbortSignal.timeout(QUERY_TIMEOUT_MS));
       if (NOT_SERVED.includes(response.status)) this.notServed.add(key);
-      if (response.status !== 200) return undefined;
       const text = await response.text();
+      if (response.status === TOO_MANY) this.notBeforeMs = performance.now() + retryAfterMs(text);
+      if (response.status !== 200) return undefined;
       // The client may have left the world meanwhile.
       return this.world() === world ? fromJsonString(responseSchema, text, { ignoreUnknownFields: true }) : undefined;
     } catch {

@@ -25,7 +25,8 @@ namespace jostle::modules {
 
 /// Drives a bone relative to its parent: a spring on the orientation with a limited torque.
 struct Muscle {
-    /// of the spring, for the inertia of the two bones, 0 to 1000; 0 disables the muscle
+    /// of the spring, for the inertia about the joint of the bone and of all bones that hang on it
+    /// in the rest pose, 0 to 1000; 0 disables the muscle
     double hertz = 6;
     double damping_ratio = 1;  ///< 0 to 10
     double max_torque = 200;   ///< N m, 0 to 1e9
@@ -152,6 +153,7 @@ private:
         double strength = 1;
         // Rotations of the joint: at the end of the coming step, and now.
         physics::Quat target_rotation, previous_rotation;
+        physics::Vec3 previous_speed;        ///< of the target, rad/s, in the parent's frame
         physics::Quat blend_start_rotation;  ///< at the start of a blend
     };
     struct Figure {
@@ -169,7 +171,9 @@ private:
     Figure* find(RagdollId id);
     static physics::Error unknown(RagdollId id);
     static BoneJoint bone_joint_of(const physics::JointKind& kind);
-    static physics::JointKind kind_of(const Bone& bone, double strength, physics::Quat target);
+    static physics::JointKind kind_of(const Bone& bone, double strength, physics::Quat target,
+                                      double scale = 1);
+    static std::vector<double> muscle_scales(const physics::World& world, const Figure& figure);
     static physics::Status create_joints(physics::World& world, Figure& figure);
     static void destroy_joints(physics::World& world, Figure& figure);
     static void release_if_incomplete(physics::World& world, Figure& figure);

@@ -5,8 +5,12 @@
 
 #include <grpcpp/support/status.h>
 
+#include <algorithm>
+#include <cmath>
 #include <string>
 
+#include "google/rpc/error_details.pb.h"
+#include "google/rpc/status.pb.h"
 #include "jostle/base/result.h"
 
 namespace jostle {
@@ -39,7 +43,23 @@ inline grpc::Status to_grpc(const Status& status) {
     return {grpc::StatusCode::INTERNAL, status.error().message};
 }
 
+/// Returns the time to retry in the details of a status (google.rpc.RetryInfo), ms; 0: none.
+inline int retry_after_ms(const grpc::Status& status) {
+    google::rpc::Status details;
+    if (status.error_details().empty() || !details.ParseFromString(status.error_details()))
+        return 0;
+    google::rpc::RetryInfo retry;
+    for (const google::protobuf::Any& detail : details.details()) {
+        if (!detail.Is<google::rpc::RetryInfo>() || !detail.UnpackTo(&retry)) continue;
+        const double ms = 1000.0 * static_cast<double>(retry.retry_delay().seconds()) +
+                          1e-6 * retry.retry_delay().nanos();
+        return static_cast<int>(std::clamp(std::ceil(ms), 0.0, 1e9));
+    }
+    return 0;
+}
+
 /// Converts a gRPC status. Codes that Jostle never sends become `internal`.
+/// `retry_after_ms` is that of the details.
 inline Status from_grpc(const grpc::Status& status) {
     if (status.ok()) return {};
     Error error{ErrorCode::internal, status.error_message()};
@@ -49,6 +69,7 @@ inline Status from_grpc(const grpc::Status& status) {
         break;
     }
     if (error.message.empty()) error.message = "the server gave no reason";
+    error.retry_after_ms = retry_after_ms(status);
     return error;
 }
 

@@ -84,13 +84,16 @@ bool was_deflected(const FreeMotion& motion, Quat turn, const BodyCold& cold, do
     return missed > 0.5 * tuning::sweep_fraction * cold.inner_radius;
 }
 
+// Bodies that move less within the step cannot pass through a trigger: passes_through() may miss
+// smaller overlaps.
+constexpr double least_path = 2e-5;  // m
+
 }  // namespace
 
 void begin_finalize(const BodyStore& bodies, const std::vector<std::uint32_t>& bouncing,
                     bool records_paths, FinalizeScratch& scratch) {
     scratch.path_starts.resize(records_paths ? bodies.cold.size() : 0);
-    if (records_paths)
-        for (const BodyWarm& warm : bodies.awake) scratch.path_bodies.push_back(warm.body);
+    scratch.on_path.assign(records_paths ? bodies.awake.size() : 0, 0);
     scratch.left_fat_aabb.assign(bodies.awake.size(), 0);
     scratch.not_finite.assign(bodies.awake.size(), 0);
     scratch.fast.assign(bodies.awake.size(), 0);
@@ -134,8 +137,10 @@ void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotio
     const double displacement = length(motion.displacement) + turned;
     const bool bounces = scratch.bouncing[awake_index] != 0;
     const bool far = displacement > tuning::sweep_fraction * cold.inner_radius;
-    if (!scratch.path_starts.empty())
+    if (!scratch.on_path.empty() && displacement > least_path) {
+        scratch.on_path[awake_index] = 1;
         scratch.path_starts[warm.body] = {warm.center, warm.rotation, true, far};
+    }
     if (cold.continuous && (bounces || far)) {
         scratch.previous[awake_index] = warm;
         scratch.fast[awake_index] = 1;
@@ -160,7 +165,8 @@ void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotio
         note_rest(world, warm, cold, motion, turn, step.dt);
     if (!left_fat_aabb(world.shapes, bound, warm, cold, step.dt)) return;
     scratch.left_fat_aabb[awake_index] = 1;
-    if (!scratch.path_starts.empty()) scratch.path_starts[warm.body].far = true;
+    if (!scratch.on_path.empty() && scratch.on_path[awake_index] != 0)
+        scratch.path_starts[warm.body].far = true;
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
         enlarge_aabb(world.bodies, world.shapes, s, warm, step.dt);
 }

@@ -43,6 +43,12 @@ Features:  continuous  enabled, all bodies slow     joints     one joint between
                        that does nothing
            mod-NAME    a module without objects
 
+Scenes of the same number of boxes, relative to the boxes that stand on each other in the world
+without features:
+           planar      the same stacks side by side in a planar world
+           locked      all rotations of the boxes are locked
+           free-fall   the boxes fall, 3 m apart
+
 Examples:
   jostle-bench features
   jostle-bench features --feature joints,meshes --rounds 100
@@ -128,9 +134,13 @@ void add_module(World& world) {
     world.add_module(std::make_unique<Module>()).expect();
 }
 
+// The boxes of a world.
+enum class Boxes : unsigned char { stacked, planar, locked, falling };
+
 struct Feature {
     const char* name;
-    void (*add)(World&);  // null: the feature is a flag of the world
+    void (*add)(World&);  // null: the feature is a flag of the world, or belongs to the boxes
+    Boxes boxes = Boxes::stacked;
 };
 constexpr Feature features[] = {{"nothing", nullptr},
                                 {"continuous", nullptr},
@@ -146,16 +156,34 @@ constexpr Feature features[] = {{"nothing", nullptr},
                                 {"mod-characters", add_module<modules::Characters>},
                                 {"mod-ragdolls", add_module<modules::Ragdolls>},
                                 {"mod-vehicles", add_module<modules::Vehicles>},
-                                {"mod-destruction", add_module<modules::Destruction>}};
+                                {"mod-destruction", add_module<modules::Destruction>},
+                                {"planar", nullptr, Boxes::planar},
+                                {"locked", nullptr, Boxes::locked},
+                                {"free-fall", nullptr, Boxes::falling}};
+
+// Position of the k-th of 1000 boxes.
+Vec3 place_of(Boxes boxes, int k) {
+    const double layer = k / 100;
+    if (boxes == Boxes::planar) return {1.5 * (k % 100), 0.5 + layer, 0};
+    const double apart = boxes == Boxes::falling ? 3 : 1.5;
+    const double height = boxes == Boxes::falling ? 500 + 3 * layer : 0.5 + layer;
+    return {apart * (k % 10), height, apart * (k / 10 % 10)};
+}
+
+AxisLocks locks_of(Boxes boxes) {
+    if (boxes == Boxes::locked) return lock_rotation_x | lock_rotation_y | lock_rotation_z;
+    return 0;
+}
 
 World make_world(const Feature* feature) {
     const bool continuous = feature != nullptr && feature->name == std::string("continuous");
-    World world = must(World::create({.continuous = continuous}));
+    const Boxes boxes = feature != nullptr ? feature->boxes : Boxes::stacked;
+    World world = must(World::create({.continuous = continuous, .planar = boxes == Boxes::planar}));
     add(world, BodyType::static_body, {0, -1, 0}, {.geometry = Box{{2000, 1, 2000}}});
     for (int k = 0; k < 1000; k++)
-        must(world.create_body({.pose = {{1.5 * (k % 10), 0.5 + k / 100, 1.5 * (k / 10 % 10)}, {}},
-                                .sleep_allowed = false},
-                               ShapeDef{}));
+        must(world.create_body(
+            {.pose = {place_of(boxes, k), {}}, .sleep_allowed = false, .locks = locks_of(boxes)},
+            ShapeDef{}));
     if (feature != nullptr && feature->add != nullptr) feature->add(world);
     for (int k = 0; k < 200; k++)
         if (Status s = world.step(1.0 / 60); !s.ok()) throw std::runtime_error(s.error().message);

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <vector>
 
 #include "tests/support/near.h"
 #include "tests/support/world_builder.h"
@@ -221,6 +222,25 @@ TEST(Locks, locked_rotations_keep_a_tall_box_upright) {
     EXPECT_EQ(state_of(world, tower).pose.rotation, Quat{});
     EXPECT_GT(position_of(world, tower).x, 1);
     EXPECT_NEAR(position_of(world, tower).y, 1, 2e-3);
+}
+
+TEST(Locks, stack_with_locked_rotations_stands_on_one_point_each) {
+    World world = make_world({.sleeping = false});
+    add_floor(world);
+    std::vector<BodyId> boxes;
+    for (int k = 0; k < 10; k++)
+        boxes.push_back(
+            must(world.create_body({.pose = {{0.3 * (k % 2), 0.5 + k, 0}, {}},
+                                    .locks = lock_rotation_x | lock_rotation_y | lock_rotation_z},
+                                   {.geometry = Box{}})));
+    run(world, 5);
+    for (int k = 0; k < 10; k++)
+        EXPECT_TRUE(near(position_of(world, boxes[static_cast<std::size_t>(k)]),
+                         {0.3 * (k % 2), 0.5 + k, 0}, 5e-3))
+            << k;
+    const std::vector<ContactInfo> contacts = world.contacts();
+    EXPECT_EQ(contacts.size(), 10u);
+    for (const ContactInfo& contact : contacts) EXPECT_EQ(contact.count, 1);
 }
 
 TEST(Bodies, gravity_scale_and_damping_are_per_body) {

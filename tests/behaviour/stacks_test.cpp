@@ -2,6 +2,9 @@
 //
 // Stacked boxes stay in place and fall asleep; a pyramid of 465 boxes in 30 rows stands for 33 s
 // without sleeping.
+#include <cmath>
+#include <cstdint>
+
 #include <gtest/gtest.h>
 
 #include "tests/support/near.h"
@@ -47,6 +50,54 @@ TEST(Stack, stays_still_when_the_step_length_changes) {
 }
 
 // A stack that sleeps is woken in steps of a quarter of the length.
+// Moves a stack of ten for 600 steps, of which dt_of(step) is the length.
+template <class StepLength>
+double offset_after_steps_of(StepLength&& dt_of) {
+    World world = make_world({.sleeping = false});
+    add_floor(world);
+    const auto boxes = stack_of(world, 10);
+    for (int step = 0; step < 600; step++) must(world.step(dt_of(step)));
+    return worst_offset(world, boxes);
+}
+
+TEST(Stack, stands_while_two_step_lengths_alternate) {
+    for (const double hz : {15.0, 30.0, 60.0, 120.0})
+        for (const double ratio : {2.0, 5.0, 10.0, 60.0}) {
+            if (hz * ratio > 1000) continue;
+            const auto dt_of = [&](int period) {
+                return [=](int step) { return 1 / (step / period % 2 == 0 ? hz : hz * ratio); };
+            };
+            EXPECT_LT(offset_after_steps_of(dt_of(1)), 0.05) << hz << " Hz, ratio " << ratio;
+            EXPECT_LT(offset_after_steps_of(dt_of(7)), 0.05) << hz << " Hz, ratio " << ratio;
+        }
+}
+
+TEST(Stack, stands_with_random_and_with_drifting_step_lengths) {
+    // s; in equal ratios from 1/1000 at 0 to 1/15 at 1.
+    const auto between = [](double share) { return 1e-3 * std::pow(1000.0 / 15, share); };
+    for (std::uint32_t seed = 1; seed <= 4; seed++) {
+        std::uint32_t state = seed;
+        const double offset = offset_after_steps_of([&](int) {
+            state = state * 1664525u + 1013904223u;
+            return between((state >> 8) / double{1 << 24});
+        });
+        EXPECT_LT(offset, 0.05) << "seed " << seed;
+    }
+    for (const double pace : {0.01, 0.3})
+        EXPECT_LT(offset_after_steps_of(
+                      [&](int step) { return between(0.5 + 0.5 * sin_cos(pace * step).sin); }),
+                  0.05)
+            << pace;
+}
+
+TEST(Stack, stands_while_a_long_step_interrupts_short_ones) {
+    for (const double short_hz : {1000.0, 240.0, 60.0})
+        EXPECT_LT(offset_after_steps_of(
+                      [&](int step) { return step % 20 == 0 ? 1.0 / 15 : 1 / short_hz; }),
+                  0.05)
+            << short_hz;
+}
+
 TEST(Stack, wakes_without_motion_after_a_step_length_change) {
     World world = make_world();
     add_floor(world);

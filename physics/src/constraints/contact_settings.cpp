@@ -13,11 +13,11 @@ namespace jostle::physics {
 // with a1 = 2 zeta + h omega, a2 = h omega a1, bias_rate = omega / a1, mass_scale = a2 / (1 + a2),
 // impulse_scale = 1 / (1 + a2).
 ContactSettings contact_settings(double dt, int substeps, SolverTier tier) {
-    return contact_settings(dt, substeps, tier, substeps);
+    return contact_settings(dt, substeps, tier, {dt, substeps});
 }
 
-ContactSettings contact_settings(double dt, int substeps, SolverTier tier, int stiff_as) {
-    ASSERT(substeps >= 1 && stiff_as >= 1);
+ContactSettings contact_settings(double dt, int substeps, SolverTier tier, StiffnessStep stiff_as) {
+    ASSERT(substeps >= 1 && stiff_as.substeps >= 1);
     const bool low = tier <= SolverTier::pile;
     const double mean_impulse_time =
         low ? tuning::low_mean_impulse_time : tuning::mean_impulse_time;
@@ -27,7 +27,7 @@ ContactSettings contact_settings(double dt, int substeps, SolverTier tier, int s
     const double damping = tier == SolverTier::pile      ? tuning::pile_contact_damping_ratio
                            : tier == SolverTier::slender ? tuning::slender_contact_damping_ratio
                                                          : tuning::contact_damping_ratio;
-    const double h = dt / substeps, omega = 2 * pi * stiffness * stiff_as / dt;
+    const double h = dt / substeps, omega = 2 * pi * stiffness * stiff_as.substeps / stiff_as.dt;
     const double a1 = 2 * damping + h * omega, a2 = h * omega * a1;
     ASSERT(h > 0 && omega > 0 && a1 > 0);
     const auto f = [](double x) { return static_cast<float>(x); };

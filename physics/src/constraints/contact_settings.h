@@ -36,7 +36,11 @@ struct ContactSettings {
 // frequency is proportional to the sub-step rate, so that more sub-steps are stiffer and more
 // accurate.
 ContactSettings contact_settings(double dt, int substeps, SolverTier tier);
-// Same, with the stiffness of `stiff_as` sub-steps.
-ContactSettings contact_settings(double dt, int substeps, SolverTier tier, int stiff_as);
+// Same, with the stiffness of another step.
+struct StiffnessStep {
+    double dt;  // s
+    int substeps;
+};
+ContactSettings contact_settings(double dt, int substeps, SolverTier tier, StiffnessStep stiff_as);
 
 }  // namespace jostle::physics

@@ -566,6 +566,7 @@ void visit_stores(V& v, WorldStores& world) {
     v.optional("easy_steps", world.overload_level.easy, 15);
     v.field("steps", world.steps);
     v.field("last_dt", world.last_dt);
+    v.optional("stiffness_dt", world.stiffness_dt, 18);
     v.leave();
 
     v.enter("bodies");

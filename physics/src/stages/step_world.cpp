@@ -13,6 +13,16 @@
 namespace jostle::physics {
 namespace {
 
+// Contacts are softer at once if the step becomes longer, and stiffer only gradually if it becomes
+// shorter, unless all bodies sleep: the contacts of a body that wakes start at the new stiffness.
+void update_stiffness(WorldState& world, double dt) {
+    const double last = stiffness_dt_of(world, world.last_dt),
+                 next = last - (last - dt) * (1.0 / tuning::stiffening_steps);
+    constexpr double equal = 1.01;
+    const bool gradual = next > equal * dt && !world.bodies.awake.empty();
+    world.stiffness_dt = gradual ? next : 0;
+}
+
 StepContext begin_step(WorldState& world, StepScratch& scratch, double dt) {
     world.events.begin_step();
     world.thread_pool->set_single_threaded(
@@ -23,7 +33,8 @@ StepContext begin_step(WorldState& world, StepScratch& scratch, double dt) {
     if (dt != world.last_dt)
         for (const BodyWarm& warm : world.bodies.awake) update_motion_bound(world, warm.body, dt);
     if (dt != world.last_dt && world.last_dt > 0)
-        scale_awake(world, world.joints, dt / world.last_dt);
+        change_step_length(world, world.joints, step_length_change(world, dt));
+    update_stiffness(world, dt);
     world.last_dt = dt;
     return {world, scratch, *world.thread_pool, dt, {}};
 }
@@ -48,7 +59,9 @@ void set_contact_settings(StepContext& step) {
                 set = step.contacts[index_of(key) - 1];
                 continue;
             }
-            set = contact_settings(step.dt, substeps_of(key, world), tier);
+            const int substeps = substeps_of(key, world);
+            set = contact_settings(step.dt, substeps, tier,
+                                   {stiffness_dt_of(world, step.dt), substeps});
             if (reuses_manifolds_longer(world.overload_level)) reuse_longer(set);
             set.planar = world.def.planar;
             set.gravity_ratio = gravity_ratio;

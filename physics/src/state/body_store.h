@@ -131,16 +131,29 @@ inline Vec3 free_rotations(const BodyCold& cold) {
             (cold.locks & lock_rotation_z) != 0 ? 0.0 : 1.0};
 }
 
+inline constexpr AxisLocks all_rotations = lock_rotation_x | lock_rotation_y | lock_rotation_z;
+inline bool can_rotate(const BodyCold& cold) {
+    return (cold.locks & all_rotations) != all_rotations;
+}
+// Returns whether contacts need a matrix for the inertia of a dynamic body.
+inline bool needs_inertia_matrix(const BodyCold& cold) {
+    return !cold.isotropic && can_rotate(cold);
+}
+
 // Inverse inertia in world axes. With locked rotations, it is the inverse of the inertia without
 // the locked rows and columns, not a part of the full inverse.
 inline Mat3 world_inverse_inertia(const BodyWarm& warm, const BodyCold& cold) {
-    constexpr AxisLocks turns = lock_rotation_x | lock_rotation_y | lock_rotation_z;
-    if ((cold.locks & turns) == 0) {
+    if ((cold.locks & all_rotations) == 0) {
         if (cold.isotropic) return cold.inverse_inertia;
         return warm.axes * cold.inverse_inertia * transpose(warm.axes);
     }
-    if ((cold.locks & turns) == turns || cold.inverse_mass == 0) return diagonal({0, 0, 0});
+    if (!can_rotate(cold) || cold.inverse_mass == 0) return diagonal({0, 0, 0});
     const Vec3 free = free_rotations(cold);
+    // One free axis: planar worlds and upright bodies.
+    if (free.x + free.y + free.z == 1) {
+        const Vec3 own = transposed_times(warm.axes, free);
+        return diagonal(free * (1 / dot(own, cold.inertia * own)));
+    }
     Mat3 remaining = warm.axes * cold.inertia * transpose(warm.axes);
     remaining = {scaled(remaining.x, free) * free.x, scaled(remaining.y, free) * free.y,
                  scaled(remaining.z, free) * free.z};

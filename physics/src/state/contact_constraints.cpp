@@ -143,8 +143,11 @@ void derive_flags(ContactGraph& stores, const Contact& contact) {
     const BodyCold &a = stores.bodies.cold[contact.body_a], &b = stores.bodies.cold[contact.body_b];
     const bool two = b.type == BodyType::dynamic;
     const auto set = [&](LaneFlag flag, bool on) { lane_ref.meta->set(flag, lane_ref.lane, on); };
-    set(LaneFlag::anisotropic, !a.isotropic || (two && !b.isotropic));
-    set(LaneFlag::locked, !stores.def.planar && (a.locks != 0 || (two && b.locks != 0)));
+    const auto moves_unevenly = [](const BodyCold& cold) {
+        return (cold.locks & (lock_x | lock_y | lock_z)) != 0;
+    };
+    set(LaneFlag::anisotropic, needs_inertia_matrix(a) || (two && needs_inertia_matrix(b)));
+    set(LaneFlag::locked, !stores.def.planar && (moves_unevenly(a) || (two && moves_unevenly(b))));
     set(LaneFlag::reports, reports_stays(stores.shapes, contact));
     set(LaneFlag::touching, contact.touching);
     const double size = size_of_pair(a, b);

@@ -69,10 +69,49 @@ void scale_joints(const BodyStore& bodies, JointStore& joints, std::uint32_t bod
     });
 }
 
-void scale_awake(ContactGraph& stores, JointStore& joints, double scale) {
-    std::array<double, solved_set_count> all{};
-    all.fill(scale);
-    scale_awake(stores, joints, all);
+StepLengthChange step_length_change(const SteppingState& stepping, double dt) {
+    ASSERT(stepping.last_dt > 0 && dt > 0);
+    const double scale = dt / stepping.last_dt,
+                 longest = stiffness_dt_of(stepping, stepping.last_dt),
+                 softer = minimum(1, longest / dt);
+    return {as_float(scale), as_float(minimum(scale, 1 / softer)), as_float(softer * softer)};
+}
+
+StepLengthChange resting_step_length_change(double from, double to, double stiffness_dt) {
+    ASSERT(from > 0 && to > 0 && stiffness_dt > 0);
+    const double softer = from / stiffness_dt;
+    return {as_float(to / from), as_float(to / from), as_float(softer * softer)};
+}
+
+void change_step_length(const ContactLaneRef& lane_ref, const StepLengthChange& change) {
+    ContactConstraintWide& block = *lane_ref.block;
+    const int lane = lane_ref.lane;
+    ASSERT(change.scale > 0 && change.retained <= change.scale);
+    for (int k = 0; k < 4; k++) {
+        float &lambda = block.lambda[k][lane], &mean_impulse = block.mean_impulse[k][lane];
+        const float mean = change.scale * mean_impulse,
+                    deviation = change.retained * (lambda - mean_impulse);
+        lambda = std::max(mean + deviation, 0.0f);
+        mean_impulse = lambda - change.stiffness * deviation;
+        // Softer contacts need not carry less than the mean.
+        if (change.stiffness <= 1) mean_impulse = std::max(mean_impulse, mean);
+    }
+    for (auto& friction : block.friction) friction[lane] *= change.retained;
+    block.torsion[lane] *= change.retained;
+    for (auto& roll : lane_ref.rolling->roll) roll[lane] *= change.retained;
+}
+
+void change_step_length(ContactGraph& stores, JointStore& joints, const StepLengthChange& change) {
+    for (std::uint32_t i = 0; i < stores.contacts.contacts.size(); i++) {
+        const Contact& c = stores.contacts.contacts[i];
+        if (stores.contacts.ids.alive(i) && c.colour >= 0)
+            change_step_length(lane_ref_of(stores.graph, c), change);
+    }
+    for (const BodyWarm& warm : stores.bodies.awake) {
+        const BodyCold& cold = stores.bodies.cold[warm.body];
+        if (cold.type == BodyType::dynamic && cold.first_joint != none)
+            scale_joints(stores.bodies, joints, warm.body, double{change.scale});
+    }
 }
 
 void scale_awake(ContactGraph& stores, JointStore& joints,

@@ -67,10 +67,13 @@ void wake_island(WorldState& world, std::uint32_t island_index, std::vector<Body
         if (!world.bodies.cold[warm.body].asleep_in_place)
             woke.push_back(body_id(world.bodies, warm.body));
     // The step length may differ from that at the time it fell asleep.
-    const double scale = island.dt > 0 && world.last_dt > 0
-                             ? world.last_dt * lengthening(world, island) / island.dt
-                             : 1;
+    const double longer = lengthening(world, island), dt = world.last_dt * longer;
+    const double scale = island.dt > 0 && world.last_dt > 0 ? dt / island.dt : 1;
     ASSERT(scale > 0);
+    const StepLengthChange change =
+        scale == 1 ? StepLengthChange{}
+                   : resting_step_length_change(island.dt, dt,
+                                                stiffness_dt_of(world, world.last_dt) * longer);
     island.dt = 0;
     if (scale != 1)
         for (const BodyWarm& warm : sleepers)
@@ -78,8 +81,8 @@ void wake_island(WorldState& world, std::uint32_t island_index, std::vector<Body
     for (const SavedContact& saved : manifolds) {
         restore_contact(world, saved);
         if (scale != 1)
-            scale_impulses(lane_ref_of(world.graph, world.contacts.contacts[saved.contact]),
-                           static_cast<float>(scale), false);
+            change_step_length(lane_ref_of(world.graph, world.contacts.contacts[saved.contact]),
+                               change);
         if (!still.empty()) save_load(world, saved.contact);
         world.contacts.contacts[saved.contact].dormant = false;
     }

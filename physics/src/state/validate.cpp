@@ -448,6 +448,7 @@ std::optional<std::string> find_fault(const WorldStores& world) {
     if (world.def.substeps < 1 || world.def.substeps > limits::max_substeps)
         return "world.substeps is " + std::to_string(world.def.substeps) + ", out of range";
     if (!is_step_length(world.last_dt)) return "world.last_dt is out of range";
+    if (!is_step_length(world.stiffness_dt)) return "world.stiffness_dt is out of range";
     if (Fault f = check_pool("bodies", world.bodies.ids, world.bodies.cold)) return f;
     if (Fault f = check_pool("shapes", world.shapes.ids, world.shapes.shapes)) return f;
     if (Fault f = check_pool("contacts", world.contacts.ids, world.contacts.contacts)) return f;

@@ -84,10 +84,18 @@ inline bool halves_substeps(const OverloadState& overload_level) {
 struct SteppingState {
     WorldDef def;
     std::uint64_t steps = 0;
-    double last_dt = 0;            // s; 0 before the first step
+    double last_dt = 0;  // s; 0 before the first step
+    // The step length that determines the stiffness of contacts, s; 0: that of the step. Longer
+    // than the step after it became shorter (stages/step_world.cpp).
+    double stiffness_dt = 0;
     double time = 0;               // sum of all dt, s
     OverloadState overload_level;  // of the next step
 };
+
+// The step length that determines the stiffness of contacts in a step of dt.
+inline double stiffness_dt_of(const SteppingState& stepping, double dt) {
+    return stepping.stiffness_dt > 0 ? stepping.stiffness_dt : dt;
+}
 
 // All bodies: static and awake ones in the body store, sleeping ones in their islands.
 struct BodySets {

@@ -319,7 +319,8 @@ Result<ConstraintSystem> system_of(const WorldState& world, std::uint32_t body,
         if (all.full()) return too_many();
     }
     const ContactSettings at_h =
-        contact_settings(h * settings.substeps, settings.substeps, island.colour_set.tier);
+        contact_settings(h * settings.substeps, settings.substeps, island.colour_set.tier,
+                         {stiffness_dt_of(world, h * settings.substeps), settings.substeps});
     for (const ContactView& contact : contacts_between(world, bodies)) {
         all.add_contact(contact, at_h);
         if (all.full()) return too_many();

@@ -76,41 +76,43 @@ TEST(Destruction, detached_piece_keeps_the_velocity_of_its_points) {
     EXPECT_NEAR(stage.world.body(bodies[1])->linear_velocity.y, 1 + 2 * 0.9, 1e-12);
 }
 
+// Which bonds break depends on where the ball arrives, and at a few places the debris catches it.
 TEST(Destruction, heavy_ball_breaks_through_a_wall) {
-    Stage stage;
-    stage.floor();
     const FracturedShape shape = wall();
-    const DestructibleId id = stage.add(shape, standing());
-    stage.step(5);
-    ASSERT_EQ(*stage.destruction->intact_bonds(id), shape.bonds.size());
-    const BodyId ball = stage.ball({-2, 1.2, 0}, {20, 0, 0});
-    const double mass = stage.world.body(ball)->mass;
-    double fastest = 0, gain = 0;
-    const auto energy = [&] {
-        const WorldSummary sum = stage.world.summary();
-        return sum.kinetic_energy + sum.potential_energy;
-    };
-    // An anchored body has weight once it is loose.
-    const double wall_energy =
-        2400 * 8 * wall_half.x * wall_half.y * wall_half.z * 9.81 * wall_half.y;
-    const double start = energy(), impact_energy = stage.world.summary().kinetic_energy;
-    for (int k = 0; k < 30; k++) {
-        stage.step();
-        gain = std::max(gain, (energy() - start - wall_energy) / impact_energy);
-        fastest = std::max(fastest, length(stage.world.body(ball)->linear_velocity));
+    constexpr int places = 12;
+    int passed = 0;
+    double fastest = 0, highest_gain = 0;
+    std::size_t fewest = shape.bonds.size();
+    for (int place = 0; place < places; place++) {
+        Stage stage;
+        stage.floor();
+        const DestructibleId id = stage.add(shape, standing());
+        stage.step(5);
+        ASSERT_EQ(*stage.destruction->intact_bonds(id), shape.bonds.size());
+        const BodyId ball = stage.ball({-2, 1.08 + 0.02 * place, 0.013 * (place % 5)}, {20, 0, 0});
+        const auto energy = [&] {
+            const WorldSummary sum = stage.world.summary();
+            return sum.kinetic_energy + sum.potential_energy;
+        };
+        // An anchored body has weight once it is loose.
+        const double wall_energy =
+            2400 * 8 * wall_half.x * wall_half.y * wall_half.z * 9.81 * wall_half.y;
+        const double start = energy(), impact_energy = stage.world.summary().kinetic_energy;
+        for (int k = 0; k < 30; k++) {
+            stage.step();
+            highest_gain = std::max(highest_gain, (energy() - start - wall_energy) / impact_energy);
+            fastest = std::max(fastest, length(stage.world.body(ball)->linear_velocity));
+        }
+        fewest = std::min(fewest, stage.destruction->bodies(id)->size());
+        passed += stage.world.body(ball)->pose.position.x > 0.5;
     }
-    const std::size_t pieces = stage.destruction->bodies(id)->size();
-    RecordProperty("pieces", static_cast<int>(pieces));
-    RecordProperty("broken_bonds",
-                   static_cast<int>(shape.bonds.size() - *stage.destruction->intact_bonds(id)));
-    const BodyState after = *stage.world.body(ball);
-    RecordProperty("energy_gain", std::to_string(gain));
-    EXPECT_LT(gain, 0.02);
-    RecordProperty("ball_speed", std::to_string(after.linear_velocity.x));
-    EXPECT_GT(pieces, 3u);
-    EXPECT_GT(after.pose.position.x, 0.5);
+    RecordProperty("passed", passed);
+    RecordProperty("fewest_pieces", static_cast<int>(fewest));
+    RecordProperty("energy_gain", std::to_string(highest_gain));
+    EXPECT_GE(passed, 9);
+    EXPECT_GT(fewest, 3u);
     EXPECT_LT(fastest, 21);
-    EXPECT_GT(mass, 0);
+    EXPECT_LT(highest_gain, 0.02);
 }
 
 // Momenta of the world when the listener is called after a step.

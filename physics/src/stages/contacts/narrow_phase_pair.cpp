@@ -304,6 +304,22 @@ Manifold predicted_manifold(const StepContext& step, Contact& c, bool& covered) 
     return within(margin, pair);
 }
 
+// Bodies that cannot rotate need one point: the deepest.
+bool needs_one_point(const BodyStore& bodies, const Contact& c) {
+    const BodyCold &a = bodies.cold[c.body_a], &b = bodies.cold[c.body_b];
+    return !can_rotate(a) && b.type != BodyType::kinematic &&
+           (b.type == BodyType::static_body || !can_rotate(b));
+}
+
+void keep_deepest_point(Manifold& m) {
+    int deepest = 0;
+    for (int i = 1; i < m.count; i++)
+        if (m.gap[i] < m.gap[deepest]) deepest = i;
+    m.point[0] = m.point[deepest];
+    m.gap[0] = m.gap[deepest];
+    m.count = 1;
+}
+
 // A neighbour that covers a contact is tested at the time of its forces, when it may no longer
 // cover this one. A pair that does not touch is then tested at that time, too.
 Manifold predicted_manifold(const StepContext& step, Contact& c) {
@@ -346,6 +362,7 @@ void narrow_phase_pair(StepContext& step, NarrowPhaseTask& task) {
     c.queued = false;
     if (c.composite) return narrow_phase_composite(step, task);
     Manifold manifold = predicted_manifold(step, c);
+    if (manifold.count > 1 && needs_one_point(world.bodies, c)) keep_deepest_point(manifold);
     if (bounces(world, c.shape_a, c.shape_b)) {
         task.bounces = will_bounce(step, c, manifold, c.touching);
         if (task.bounces) return defer_to_clusters(step, task, manifold);

@@ -39,6 +39,8 @@ Skipped finalize(StepContext& step) {
                 finalize_body(step, i, motion_of(solver, i + 1, world.bodies.awake[i]));
             }
         });
+    for (std::size_t i = 0; i < scratch.on_path.size(); i++)
+        if (scratch.on_path[i] != 0) scratch.path_bodies.push_back(world.bodies.awake[i].body);
     // In the order of the awake set.
     ASSERT(scratch.left_fat_aabb.size() == world.bodies.awake.size());
     auto& moves = scratch.moves;

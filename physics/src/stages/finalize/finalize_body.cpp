@@ -53,12 +53,17 @@ void note_rest(const WorldState& world, BodyWarm& warm, const BodyCold& cold,
                const FreeMotion& motion, Quat turn, double dt) {
     if (warm.sleep_time == 0) warm.drift = warm.drift_turn = {};
     const Vec3 turned = Vec3{turn.x, turn.y, turn.z} * (turn.w < 0 ? -2.0 : 2.0);
-    const double now = swing(warm, cold, turned), next = swing(warm, cold, motion.w * dt);
-    const double displacement = maximum(length(motion.displacement), maximum(now, next));
     warm.drift += motion.displacement;
     warm.drift_turn += turned;
-    const double length_scale = size_scale(cold.radius);
     const double slow = speed_scale(cold.radius, gravity_ratio_squared(world.def.gravity));
+    const double moved = length(motion.displacement);
+    if (moved >= maximum(tuning::sleep_speed, tuning::drift_speed) * slow * dt) {
+        warm.sleep_time = 0;
+        return;
+    }
+    const double now = swing(warm, cold, turned), next = swing(warm, cold, motion.w * dt);
+    const double displacement = maximum(moved, maximum(now, next));
+    const double length_scale = size_scale(cold.radius);
     const bool still = displacement < tuning::sleep_speed * slow * dt;
     const bool sways =
         displacement < tuning::drift_speed * slow * dt &&
@@ -79,13 +84,16 @@ bool was_deflected(const FreeMotion& motion, Quat turn, const BodyCold& cold, do
     return missed > 0.5 * tuning::sweep_fraction * cold.inner_radius;
 }
 
+// Bodies that move less within the step cannot pass through a trigger: passes_through() may miss
+// smaller overlaps.
+constexpr double least_path = 2e-5;  // m
+
 }  // namespace
 
 void begin_finalize(const BodyStore& bodies, const std::vector<std::uint32_t>& bouncing,
                     bool records_paths, FinalizeScratch& scratch) {
     scratch.path_starts.resize(records_paths ? bodies.cold.size() : 0);
-    if (records_paths)
-        for (const BodyWarm& warm : bodies.awake) scratch.path_bodies.push_back(warm.body);
+    scratch.on_path.assign(records_paths ? bodies.awake.size() : 0, 0);
     scratch.left_fat_aabb.assign(bodies.awake.size(), 0);
     scratch.not_finite.assign(bodies.awake.size(), 0);
     scratch.fast.assign(bodies.awake.size(), 0);
@@ -129,8 +137,10 @@ void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotio
     const double displacement = length(motion.displacement) + turned;
     const bool bounces = scratch.bouncing[awake_index] != 0;
     const bool far = displacement > tuning::sweep_fraction * cold.inner_radius;
-    if (!scratch.path_starts.empty())
+    if (!scratch.on_path.empty() && displacement > least_path) {
+        scratch.on_path[awake_index] = 1;
         scratch.path_starts[warm.body] = {warm.center, warm.rotation, true, far};
+    }
     if (cold.continuous && (bounces || far)) {
         scratch.previous[awake_index] = warm;
         scratch.fast[awake_index] = 1;
@@ -155,7 +165,8 @@ void finalize_body(StepContext& step, std::uint32_t awake_index, const FreeMotio
         note_rest(world, warm, cold, motion, turn, step.dt);
     if (!left_fat_aabb(world.shapes, bound, warm, cold, step.dt)) return;
     scratch.left_fat_aabb[awake_index] = 1;
-    if (!scratch.path_starts.empty()) scratch.path_starts[warm.body].far = true;
+    if (!scratch.on_path.empty() && scratch.on_path[awake_index] != 0)
+        scratch.path_starts[warm.body].far = true;
     for (std::uint32_t s = cold.first_shape; s != none; s = world.shapes.shapes[s].next)
         enlarge_aabb(world.bodies, world.shapes, s, warm, step.dt);
 }

@@ -35,8 +35,9 @@ struct FinalizeScratch {
     // By awake body: its record before the step, if it is fast or deflected.
     std::vector<BodyWarm> previous;
     // For update_triggers, which resets them; empty in a world without triggers.
+    std::vector<std::uint8_t> on_path;       // by awake body: has an entry
     std::vector<PathStart> path_starts;      // by body
-    std::vector<std::uint32_t> path_bodies;  // that may have an entry
+    std::vector<std::uint32_t> path_bodies;  // with an entry
 
     std::atomic<int> any_fast = 0;
     // Free bodies that are integrated by sub-steps: their current motions and awake indices.

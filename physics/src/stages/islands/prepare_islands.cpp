@@ -144,7 +144,10 @@ void choose_tiers(ContactGraph& stores, JointStore& joints, IslandScratch& scrat
 
 void scale_lost_loads(ContactGraph& stores) {
     stores.islands.some_lost = false;
-    for (Island& island : stores.islands.islands) {
+    for (std::uint32_t i = 0; i < stores.islands.ids.size(); i++) {
+        // Loading a world does not validate the records of islands that do not exist.
+        if (!stores.islands.ids.alive(i)) continue;
+        Island& island = stores.islands.islands[i];
         if (island.remaining_load < tuning::noticed_load && !island.asleep)
             scale_warm_start(stores, island, static_cast<float>(island.remaining_load));
         island.remaining_load = 1;

@@ -40,7 +40,7 @@ bool prepare_spin(SolverScratch& scratch, const BodyWarm& warm, const BodyCold& 
 
 void put_mass(SolverBody& hot, const BodyCold& cold, const Mat3& inverse_inertia) {
     hot.inverse_mass = as_float(cold.inverse_mass);
-    hot.inverse_spin = as_float(cold.inverse_inertia.x.x);
+    hot.inverse_spin = can_rotate(cold) ? as_float(cold.inverse_inertia.x.x) : 0;
     put_inertia(hot, inverse_inertia);
     const Vec3 free = free_directions(cold);
     hot.free_x = as_float(free.x);
@@ -79,7 +79,8 @@ void prepare_body(const StepContext& step, double h, std::uint32_t hot_index) {
     // The gyroscopic spin change of a free step, distributed evenly over the sub-steps: it
     // conserves angular momentum as a free step does. integrate_gyroscopic() changes the spin of
     // gyroscopic bodies in each sub-step. Isotropic bodies have no such change.
-    const bool torque_alone = (cold.isotropic && cold.locks == 0) || gyroscopic;
+    // Neither do bodies with locked rotations.
+    const bool torque_alone = cold.isotropic || (cold.locks & all_rotations) != 0 || gyroscopic;
     const Vec3 spin_up = torque_alone ? inverse_inertia * warm.torque
                                       : (free_spin(warm, cold, step.dt).w - warm.w) / step.dt;
     put(external.push, acceleration_of(warm, cold, world.def.gravity) * h, spin_up * h);

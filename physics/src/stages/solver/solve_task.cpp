@@ -141,7 +141,8 @@ void solve_task(StepContext& step, const SolverTask& task,
     const bool twice = wants_trial(step, task.first);
     if (twice) {
         ContactSettings coarse =
-            contact_settings(step.dt, set.substeps / 2, task.tier, set.substeps);
+            contact_settings(step.dt, set.substeps / 2, task.tier,
+                             {stiffness_dt_of(step.world, step.dt), set.substeps});
         coarse.planar = set.planar;
         coarse.gravity_ratio = set.gravity_ratio;
         begin_trial(step, task.first, task.last, jointed);

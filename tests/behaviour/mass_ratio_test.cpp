@@ -4,6 +4,7 @@
 // by 2 cm, and they bear it.
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <string>
 #include <vector>
 
@@ -87,6 +88,59 @@ TEST(MassRatio, light_bodies_carry_1000_times_their_mass) {
         EXPECT_LT(in_heap, 0.06) << name;
         EXPECT_LT(on_balls, 0.01) << name;
     }
+}
+
+// How far a body of a stack of boxes moves in three seconds, over the size of a box.
+double largest_motion(const std::vector<double>& densities, double offset, double rate) {
+    World world = make_world();
+    add_floor(world);
+    std::vector<BodyId> boxes;
+    std::vector<Vec3> places;
+    for (std::size_t k = 0; k < densities.size(); k++) {
+        places.push_back({k % 2 == 0 ? 0 : offset, 0.5 + static_cast<double>(k), 0});
+        boxes.push_back(add(world, {.position = places.back(), .density = densities[k]}));
+    }
+    double largest = 0;
+    for (int n = 0; n < static_cast<int>(3 * rate); n++) {
+        must(world.step(1 / rate));
+        for (std::size_t k = 0; k < boxes.size(); k++)
+            largest = maximum(largest, length(position_of(world, boxes[k]) - places[k]));
+    }
+    return largest;
+}
+
+TEST(MassRatio, two_boxes_of_any_ratio_stand) {
+    for (const double ratio : {3.0, 10.0, 31.6, 90.0, 110.0, 1000.0, 1e5})
+        EXPECT_LT(largest_motion({1, ratio}, 0, 60), 1e-7) << "ratio " << ratio;
+    EXPECT_LT(largest_motion({1, 31.6, 1000}, 0, 60), 1e-7);
+    EXPECT_LT(largest_motion({1, 1000, 1, 1000}, 0, 60), 1e-7);
+}
+
+// By at most a factor of 1000 from box to box, up or down.
+TEST(MassRatio, stacks_of_random_masses_stand) {
+    Random random(7);
+    for (int stack = 0; stack < 24; stack++) {
+        std::vector<double> densities{1};
+        const int count = 2 + static_cast<int>(random.in(0, 11));
+        while (static_cast<int>(densities.size()) < count)
+            densities.push_back(
+                minimum(1e6, maximum(1e-6, densities.back() * std::pow(1000, random.in(-1, 1)))));
+        const double rate = stack % 3 == 0 ? 30 : 60;
+        EXPECT_LT(largest_motion(densities, random.in(0, 0.1), rate), 0.01)
+            << "stack " << stack << " of " << count << " at " << rate << " Hz";
+    }
+}
+
+TEST(MassRatio, tall_stacks_of_graded_and_alternating_masses_stand) {
+    std::vector<double> graded, alternating, growing;
+    for (int k = 0; k < 30; k++) {
+        graded.push_back(std::pow(1000, 1 - absolute(k - 14.5) / 14.5));
+        alternating.push_back(k % 2 == 0 ? 1 : 30);
+    }
+    for (int k = 0; k < 12; k++) growing.push_back(std::pow(3, k));
+    EXPECT_LT(largest_motion(graded, 0, 60), 0.01);
+    EXPECT_LT(largest_motion(alternating, 0, 60), 0.01);
+    EXPECT_LT(largest_motion(growing, 0, 60), 0.01);
 }
 
 }  // namespace

@@ -16,7 +16,7 @@
 
 namespace jostle::physics {
 
-// In ascending order.
+// In ascending order, except `asleep`. Saved worlds contain the values.
 enum class SolverTier : std::uint8_t {
     flat,  // at most three layers, all slow
     low,   // new or moving islands: contacts learn the force of each point
@@ -27,13 +27,18 @@ enum class SolverTier : std::uint8_t {
     tall,    // slender with many layers, which lean and finally fall with the same sub-steps
     heavy,   // a body rests only on bodies that are a hundred times lighter
     asleep,  // contacts only, not islands: bodies that sleep in place (state/partial_sleep.h)
+    // Few bodies, of which some carry many times their own mass: all contacts of the island are
+    // solved together instead of one after another (constraints/contact_group).
+    direct,
 };
-inline constexpr int tier_count = 6;
+inline constexpr int tier_count = 7;  // without `asleep`
 inline constexpr std::array<SolverTier, tier_count> all_tiers = {
-    SolverTier::flat,    SolverTier::low,  SolverTier::pile,
-    SolverTier::slender, SolverTier::tall, SolverTier::heavy};
+    SolverTier::flat, SolverTier::low,   SolverTier::pile,  SolverTier::slender,
+    SolverTier::tall, SolverTier::heavy, SolverTier::direct};
+// Position in all_tiers; `asleep` follows.
 inline constexpr std::size_t index_of(SolverTier tier) {
-    return static_cast<std::size_t>(tier);
+    if (tier == SolverTier::asleep) return tier_count;
+    return tier == SolverTier::direct ? tier_count - 1 : static_cast<std::size_t>(tier);
 }
 
 // The islands of a tier are distributed over this many batches, each island in one batch. Threads
@@ -64,7 +69,7 @@ static_assert(index_of(asleep_set) == colour_set_count - 1);
 // sleep, the bodies that come to rest save more time than the sub-steps cost.
 inline int substeps_of(SolverTier tier, const WorldDef& world) {
     ASSERT(tier != SolverTier::asleep && world.substeps >= 1);
-    constexpr std::array<int, tier_count> halves = {1, 2, 2, 2, 4, 8};
+    constexpr std::array<int, tier_count + 1> halves = {1, 2, 2, 2, 4, 8, 2};
     const int most = tier == SolverTier::pile && world.sleeping ? 3 : halves[index_of(tier)];
     ASSERT(most >= 1);
     return (world.substeps * most + 1) / 2;
@@ -85,7 +90,7 @@ inline int substeps_of(ColourSetKey set, const WorldDef& world, bool halved = fa
         return less ? std::min(all, std::max(2, (all + 1) / 2)) : all;
     }
     ASSERT(set.tier != SolverTier::asleep && set.batch < batch_count);
-    constexpr std::array<int, tier_count> times = {1, 1, 1, 3, 8, 4};
+    constexpr std::array<int, tier_count + 1> times = {1, 1, 1, 3, 8, 4, 1};
     return std::min(substeps_per_level[set.batch] * times[index_of(set.tier)],
                     limits::max_substeps);
 }

@@ -173,6 +173,10 @@ inline constexpr double standing_speed = 0.1;
 // the sub-steps. Five boxes below five boxes of 100 times their mass collapse with 8 sub-steps and
 // stand with 32.
 inline constexpr double heavy_ratio = 100;
+// Islands with a body that carries this many times its mass per layer above it are solved directly
+// if they have at most so many bodies and manifolds.
+inline constexpr double direct_load_ratio = 2.5;
+inline constexpr std::uint32_t max_group_bodies = 64, max_group_manifolds = 160;
 inline constexpr double lies_on = 0.3;  // cosine; a normal this close to vertical supports load
 // Impulses of an island are scaled down if it retains less than this fraction of its mass in a
 // step.

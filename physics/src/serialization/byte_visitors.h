@@ -56,7 +56,7 @@ struct Saver {
 template <class T>
 constexpr std::uint64_t largest_value() {
     if constexpr (std::is_same_v<T, Combine>) return 4;
-    if constexpr (std::is_same_v<T, SolverTier>) return tier_count;  // asleep
+    if constexpr (std::is_same_v<T, SolverTier>) return static_cast<int>(SolverTier::direct);
     return 2;  // BodyType, BodySet, JointSolver
 }
 

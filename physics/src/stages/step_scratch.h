@@ -31,7 +31,8 @@ struct IslandExtent {
     // Sums over the bodies of their horizontal positions, relative to the first of them, m and m^2.
     Vec3 first;
     double x = 0, y = 0, xx = 0, xy = 0, yy = 0;
-    bool tier_chosen = false;  // its tier was chosen together with another island's
+    bool solved_directly = false;  // SolverTier::direct is required
+    bool tier_chosen = false;      // its tier was chosen together with another island's
 };
 
 struct IslandScratch {

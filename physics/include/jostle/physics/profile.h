@@ -58,6 +58,12 @@ struct StepProfile {
     int bodies_tall = 0;  ///< part of bodies_in_solver: in tall islands, with twice the sub-steps
     /// Part of bodies_in_solver: in heavily loaded islands, with four times the sub-steps.
     int bodies_heavy = 0;
+    /// Part of bodies_in_solver: in small islands of very different masses, whose contacts are
+    /// solved together.
+    int bodies_direct = 0;
+    /// Passes over the groups of bodies_direct, two per sub-step, and those that missed their
+    /// tolerance.
+    int direct_passes = 0, direct_passes_unsolved = 0;
     /// Tracked pairs of shapes, awake or asleep. A pair with a mesh, a height field or a compound
     /// counts once more for each of its manifolds.
     int pairs = 0;

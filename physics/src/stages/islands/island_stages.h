@@ -39,15 +39,35 @@ void choose_substep_levels(StepContext& step);
 // Sorts the contacts of large colour sets by their bodies if many are out of order.
 void sort_constraints(StepContext& step);
 
-// Heavy bodies on light ones: their islands get SolverTier::heavy.
+// Heavy bodies on light ones: islands of few bodies get SolverTier::direct, others
+// SolverTier::heavy. Islands that manifolds couple are considered together.
 //
 // Returns whether a body of the island rests only on bodies that are a hundred times lighter.
 bool has_heavy_load(ContactGraph& stores, const Island& island, Vec3 up);
 
+// Returns the largest load that a body of these islands carries, relative to its mass and to the
+// layers above it: 1 in a stack of equal bodies. Bodies carry what lies on them, whether it touches
+// them yet or not.
+double largest_load_ratio(ContactGraph& stores, std::span<const std::uint32_t> islands, Vec3 up);
+
+// Returns whether the islands are small enough for SolverTier::direct, without joints and without
+// bodies that sleep in place.
+bool may_be_solved_directly(const ContactGraph& stores, std::span<const std::uint32_t> islands);
+
+// Returns whether at most a quarter of the bodies move relative to the others. In a tumbling heap
+// loads pass before they could sink, and each new contact costs a direct solver iterations.
+bool mostly_stand(const ContactGraph& stores, std::span<const std::uint32_t> islands);
+
 // `bodies`: bodies that have begun to touch a much lighter body. Those that rest on nothing else
-// raise their islands to that tier immediately; until the next update of all islands they would
-// sink.
+// raise their islands to SolverTier::heavy immediately; until the next update of all islands they
+// would sink.
 void raise_to_heavy_tier(ContactGraph& stores, JointStore& joints,
                          std::span<const std::uint32_t> bodies);
+// `bodies`: bodies with a new manifold with a much lighter body. If they load it, their islands are
+// solved directly from now on, if they are small enough.
+void raise_to_direct_tier(ContactGraph& stores, JointStore& joints,
+                          std::span<const std::uint32_t> bodies);
+// Moves islands that have become too large for SolverTier::direct to SolverTier::heavy.
+void leave_direct_tier(ContactGraph& stores, JointStore& joints);
 
 }  // namespace jostle::physics

@@ -75,8 +75,9 @@ SolverTier need_of(ContactGraph& stores, const std::vector<IslandExtent>& extent
                    std::uint32_t index, Vec3 up) {
     const Island& island = stores.islands.islands[index];
     ASSERT(stores.islands.ids.alive(index) && !island.asleep);
-    if (island.uneven && has_heavy_load(stores, island, up)) return SolverTier::heavy;
     const IslandExtent& extent = extents[index];
+    if (extent.solved_directly) return SolverTier::direct;
+    if (island.uneven && has_heavy_load(stores, island, up)) return SolverTier::heavy;
     if (!is_slender(extent)) {
         const auto bodies = static_cast<int>(island.bodies);
         if (layers_of(extent) <= tuning::flat_layers)
@@ -88,7 +89,7 @@ SolverTier need_of(ContactGraph& stores, const std::vector<IslandExtent>& extent
     return layers_of(extent) > limit ? SolverTier::tall : SolverTier::slender;
 }
 
-// The common tier of coupled islands: the highest required tier if that is tall or heavy, otherwise
+// The common tier of coupled islands: the highest required tier if that is above slender, otherwise
 // the tier of the majority of the bodies.
 SolverTier common_need(ContactGraph& stores, std::vector<IslandExtent>& extents,
                        std::span<const std::uint32_t> coupled, Vec3 up) {
@@ -130,12 +131,42 @@ void choose_tier(ContactGraph& stores, JointStore& joints, std::vector<IslandExt
         move_to_set(stores, joints, coupled, {common, island.colour_set.batch});
 }
 
+// Returns whether loads can be uneven: without a heavier body, equal ones only add up layer by
+// layer.
+bool have_different_masses(const BodyStore& bodies) {
+    double lightest = 1e300, heaviest = 0;
+    for (const BodyWarm& warm : bodies.awake) {
+        const BodyCold& cold = bodies.cold[warm.body];
+        if (cold.constraints == 0 || cold.island == none) continue;
+        lightest = minimum(lightest, cold.mass);
+        heaviest = maximum(heaviest, cold.mass);
+    }
+    return heaviest > 1.5 * lightest;
+}
+
+// Finds the islands for SolverTier::direct.
+void find_direct_islands(ContactGraph& stores, IslandScratch& scratch,
+                         std::optional<CoupledIslands>& all_coupled, Vec3 up) {
+    if (stores.def.planar || !have_different_masses(stores.bodies)) return;
+    if (!all_coupled) all_coupled.emplace(stores);
+    for (const std::uint32_t i : scratch.awake) {
+        if (stores.islands.islands[i].bodies > tuning::max_group_bodies) continue;
+        const std::span<const std::uint32_t> coupled = all_coupled->group_of(i);
+        if (coupled.front() != i || !may_be_solved_directly(stores, coupled) ||
+            !mostly_stand(stores, coupled))
+            continue;
+        if (largest_load_ratio(stores, coupled, up) < tuning::direct_load_ratio) continue;
+        for (const std::uint32_t member : coupled) scratch.extents[member].solved_directly = true;
+    }
+}
+
 void choose_tiers(ContactGraph& stores, JointStore& joints, IslandScratch& scratch) {
     const Vec3 up = -normalized(stores.def.gravity);
     find_awake_islands(stores, scratch.awake);
     measure_extents(stores.bodies, stores.islands, scratch, stores.def.gravity);
     std::optional<CoupledIslands>
         coupled;  // built on first use; moves to other sets do not invalidate it
+    find_direct_islands(stores, scratch, coupled, up);
     for (const std::uint32_t i : scratch.awake)
         choose_tier(stores, joints, scratch.extents, coupled, i, up);
 }
@@ -159,6 +190,7 @@ void scale_lost_loads(ContactGraph& stores) {
 Skipped prepare_islands(StepContext& step) {
     WorldState& world = step.world;
     if (world.bodies.awake.empty()) return no_awake_bodies;
+    leave_direct_tier(world, world.joints);
     // The second step is the first with known islands.
     const bool update_tiers = world.steps % tuning::tier_interval == 1;
     if (!update_tiers && !world.islands.some_lost && !controls_error(world.def))

@@ -136,9 +136,11 @@ void put_parts_to_sleep(StepContext& step) {
         count[cold.island]++;
     }
     propagate_to_jointed(world, scratch.near_restless);
-    // In a moving island a sleeping body would support loads that are about to shift.
+    // In a moving island a sleeping body would support loads that are about to shift. Islands that
+    // are solved directly have no sleeping bodies, and cost little at rest.
     const auto calm = [&](std::uint32_t island) {
-        return count[island] >= tuning::partial_sleep_least &&
+        return world.islands.islands[island].colour_set.tier != SolverTier::direct &&
+               count[island] >= tuning::partial_sleep_least &&
                count[island] >= tuning::partial_sleep_share * world.islands.islands[island].bodies;
     };
     auto& falling_asleep = scratch.falling_asleep;

@@ -149,6 +149,7 @@ void count_bodies(const BodyStore& bodies, const SolverScratch& scratch, StepPro
     profile.bodies_flat = bodies_of(SolverTier::flat);
     profile.bodies_tall = bodies_of(SolverTier::tall);
     profile.bodies_heavy = bodies_of(SolverTier::heavy);
+    profile.bodies_direct = bodies_of(SolverTier::direct);
 }
 
 }  // namespace

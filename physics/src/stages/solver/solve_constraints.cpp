@@ -25,6 +25,16 @@ void resize_records(const BodyStore& bodies, SolverScratch& scratch) {
         if (bodies.cold[bodies.awake[i].body].asleep_in_place) scratch.hot[i + 1] = {};
 }
 
+void count_direct_passes(const std::vector<SolverTask>& tasks, const SolverScratch& scratch,
+                         StepProfile& profile) {
+    for (const SolverTask& task : tasks) {
+        if (task.tier != SolverTier::direct) continue;
+        const ContactGroups& groups = scratch.contact_groups[task.first];
+        profile.direct_passes += groups.passes;
+        profile.direct_passes_unsolved += groups.unsolved;
+    }
+}
+
 }  // namespace
 
 Skipped solve_constraints(StepContext& step) {
@@ -41,7 +51,9 @@ Skipped solve_constraints(StepContext& step) {
         return "nothing touches and nothing is jointed";
     if (!scratch.bodies.all.empty()) {
         resize_records(bodies, scratch);
-        run_tasks(step, make_tasks(step));
+        const std::vector<SolverTask> tasks = make_tasks(step);
+        run_tasks(step, tasks);
+        count_direct_passes(tasks, scratch, step.world.profile);
     }
     solve_joint_groups(step);
     break_joints(step);

@@ -10,6 +10,7 @@
 #include "physics/src/constraints/contact_passes.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/solver/apply_joint_impacts.h"
+#include "physics/src/stages/solver/contact_groups.h"
 #include "physics/src/stages/solver/error_trial.h"
 #include "physics/src/stages/solver/gather_bodies.h"
 #include "physics/src/stages/solver/integrate_gyroscopic.h"
@@ -47,13 +48,60 @@ void listen(StepContext& step, const SubstepInfo& substep_info, const SolverTask
             call_listeners(step, substep_info, bodies.of(k, k + together), k, k + together);
 }
 
+// The contact passes of the sub-steps: by sweeps, or group by group. A group without a solution
+// gets a sweep.
+class ContactPasses {
+public:
+    ContactPasses(const ContactTask& contacts, ContactGroups* groups)
+        : contacts_(contacts), groups_(groups) {}
+
+    // Later sub-steps are warm-started by accelerate(). Groups need no warm start.
+    bool warm_starts() const { return groups_ == nullptr; }
+    void begin() const {
+        if (groups_ == nullptr) warm_start(contacts_);
+    }
+    void solve() const {
+        if (groups_ == nullptr) return physics::solve(contacts_);
+        bool solved = true;
+        for (ContactGroup& group : groups_->groups()) solved &= count(group.solve(contacts_.set));
+        if (solved) return;
+        physics::solve(contacts_);
+        store();
+    }
+    void relax(bool last) const {
+        if (groups_ == nullptr) return physics::relax(contacts_, last);
+        bool solved = true;
+        for (ContactGroup& group : groups_->groups()) solved &= count(group.relax(contacts_.set));
+        // The pass that ends the step also measures gaps and ages of the manifolds.
+        if (solved && !last) return;
+        physics::relax(contacts_, last);
+        store();
+    }
+
+private:
+    bool count(bool solved) const {
+        groups_->passes++;
+        groups_->unsolved += solved ? 0 : 1;
+        return solved;
+    }
+    // Restores the groups that were solved after sweeps over all contacts.
+    void store() const {
+        for (const ContactGroup& group : groups_->groups()) group.store();
+    }
+
+    const ContactTask& contacts_;
+    ContactGroups* groups_;  // null: by sweeps
+};
+
 void run_substeps(StepContext& step, const SolverTask& task, const ContactSettings& set,
-                  const JointTask& joints, std::span<const std::uint32_t> kinematic) {
+                  const JointTask& joints, std::span<const std::uint32_t> kinematic,
+                  ContactGroups* groups) {
     SolverScratch& scratch = step.scratch.solver;
     ASSERT(set.substeps >= 1);
     const double h = step.dt / set.substeps;
     const ContactTask contacts{scratch.colour_runs[task.first], scratch.hot.data(), set,
                                step.thread_pool};
+    const ContactPasses passes(contacts, groups);
     const Kernels& kernel = kernels();
     if (!scratch.jointed.of(task.first, task.last).empty())
         apply_joint_impacts(step, contacts.runs);
@@ -67,14 +115,14 @@ void run_substeps(StepContext& step, const SolverTask& task, const ContactSettin
         if (listened) listen(step, substep_info, task);
         if (!in_fields.empty()) push_by_fields(step, substep_info, in_fields);
         each_body(step, task, [&](std::span<const std::uint32_t> some) {
-            (first ? kernel.accelerate_first : kernel.accelerate)(range_of(scratch, some));
+            (first || !passes.warm_starts() ? kernel.accelerate_first
+                                            : kernel.accelerate)(range_of(scratch, some));
         });
         if (first && bounces) predict_approaches(contacts);
-        // accelerate() warm starts later sub-steps.
-        if (first) warm_start(contacts);
+        if (first) passes.begin();
         solve_joints(step, joints, h);
         solve_joint_batches(step, joints, h, false);
-        solve(contacts);
+        passes.solve();
         solve_limits(step, joints, h);
         begin_gyroscopic(step, joints.bodies, h);
         solve_joint_batches(step, joints, h, true);
@@ -84,7 +132,7 @@ void run_substeps(StepContext& step, const SolverTask& task, const ContactSettin
         });
         kernel.advance(range_of(scratch, kinematic), set.h);
         relax_joints(step, joints, h);
-        relax(contacts, last);
+        passes.relax(last);
         relax_limits(step, joints, h);
         relax_joint_batches(step, joints, h);
         if (bounces) record_peaks(contacts);
@@ -127,7 +175,10 @@ void solve_with(StepContext& step, const SolverTask& task, const ContactSettings
     ThreadPool alone(1);
     StepContext substeps{world, step.scratch, shared ? step.thread_pool : alone, step.dt,
                          step.contacts};
-    run_substeps(substeps, task, set, joints, kinematic);
+    const bool direct = task.tier == SolverTier::direct;
+    if (direct) find_contact_groups(step, task, scratch.contact_groups[task.first]);
+    run_substeps(substeps, task, set, joints, kinematic,
+                 direct ? &scratch.contact_groups[task.first] : nullptr);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <span>
 #include <vector>
@@ -16,6 +17,7 @@
 #include "physics/src/constraint_graph/constraint_graph.h"
 #include "physics/src/constraint_graph/joint_levels.h"
 #include "physics/src/constraint_graph/solver_body.h"
+#include "physics/src/constraints/contact_group/contact_group.h"
 #include "physics/src/constraints/contact_passes.h"
 #include "physics/src/constraints/joints/joint_batches.h"
 #include "physics/src/stages/solver/joint_group_scratch.h"
@@ -60,6 +62,15 @@ struct ErrorTrial {
     std::vector<SolverBody> bodies;    // after the trial, in the task's order
 };
 
+// The contact groups of a task of SolverTier::direct. They keep their memory from step to step.
+struct ContactGroups {
+    std::vector<ContactGroup> all;
+    std::size_t used = 0;
+    int passes = 0, unsolved = 0;  // unsolved: passes in which a group missed its tolerance
+
+    std::span<ContactGroup> groups() { return std::span(all).first(used); }
+};
+
 // A group of bodies as passed to listeners.
 struct ListenedGroup {
     std::vector<std::uint32_t> awake;
@@ -81,6 +92,7 @@ struct SolverScratch {
     std::array<std::vector<ColourRun>, solved_set_count> colour_runs;
     std::array<std::vector<std::uint32_t>, solved_set_count> in_fields;  // hot indices
     std::array<ErrorTrial, solved_set_count> trials;
+    std::array<ContactGroups, solved_set_count> contact_groups;  // of tasks of SolverTier::direct
     JointGroupScratch groups;
     std::vector<SpinAxes> spin_axes;         // indexed by hot index
     std::vector<GyroscopicBody> gyroscopic;  // by hot index; valid if spin_axes is not world

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// Cholesky factorization of the identity plus a sparse positive semidefinite matrix of 6 x 6 blocks
+// in skyline storage: each block row holds the blocks from its first one to the diagonal. The
+// matrix of a stack in the order of its bodies has two blocks per row, so the work is linear in the
+// bodies.
+#pragma once
+
+#include <cstddef>
+#include <span>
+#include <vector>
+
+namespace jostle::physics {
+
+class SkylineCholesky {
+public:
+    static constexpr int size = 6;  // of a block
+
+    // Sets the pattern. first[i] <= i: the first block of block row i.
+    void set_pattern(std::span<const int> first);
+    void set_identity();
+    // The block (i, j), first[i] <= j <= i, row by row. Of the diagonal blocks only the lower
+    // triangle is read.
+    double* block(int i, int j);
+
+    // No pivot is smaller than 1, as in exact arithmetic: rounding may lose the identity beside
+    // large elements.
+    void factor();
+    // Replaces x by the solution. x has `size` elements per block row.
+    void solve(std::span<double> x) const;
+
+private:
+    const double* block(int i, int j) const;
+
+    std::vector<int> first_;
+    std::vector<std::size_t> begin_;  // of block rows in values_
+    std::vector<double> values_;
+};
+
+}  // namespace jostle::physics

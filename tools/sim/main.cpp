@@ -44,17 +44,18 @@ wx wy wz (rad/s). --save writes the final world; --load resumes from such a file
 scene at half its rate, then at twice that, and so on, until two runs agree. The finest run is
 the reference. The report lists the error and the CPU time of each combination of rate and
 sub-steps, the order of convergence (2: doubling the rate divides the error by 4), and the
-cheapest setting within each tolerance; of settings whose times are within 15 %, the one with
-the fewest sub-steps. It marks errors that exceed that of a lower rate by a third. A run with perturbed initial velocities detects chaotic
-scenes, in which no rate is accurate for long; the report states for how long.
+cheapest setting within each tolerance. Of settings whose times are within 15 %, it chooses the
+one with the fewest sub-steps. It marks errors that exceed that of a lower rate by a third. A run
+with perturbed initial velocities detects chaotic scenes, in which no rate is accurate for long;
+the report states for how long.
 
 --inspect analyses the constraint system of a step. It steps to --at and selects the group of a
 body: all bodies connected to it by joints and touching contacts (without a body: every group).
 The system has one row per direction that is held, driven, limited or subject to friction. The
 report lists redundant rows, the condition number of A x = b, the results of nine solution
 methods with their residual per iteration, and the effect of softness and scaling. A "~" marks
-forces of a method that has not converged. Bodies are
-selected by name or by index in the scene, from 0. docs/design/constraint_systems.md has an example.
+forces of a method that has not converged. Bodies are selected by name or by index in the scene,
+from 0. docs/design/constraint_systems.md has an example.
 
 Exit status: 0 success, 1 the run failed, 2 invalid flags or scene.)";
 

@@ -18,7 +18,8 @@ inline constexpr double worse_ratio = 4.0 / 3;
 // The rules:
 // - finer: the error at a rate is at most 4/3 of the larger of the least error at any coarser rate
 //   of the same scene and mode, and the floor of the scene, which is a tenth of its finest
-//   tolerance. A failed run is worse than any other. Second errors are not compared.
+//   tolerance. A failed run is worse than any other. Second errors are not compared, and neither
+//   are modes with an error tolerance, which take fewer sub-steps at finer rates.
 // - limit, second limit: in the default mode, both errors are at most the limits of the scene at
 //   its limit rate (60 Hz by default) and finer.
 struct Fault {

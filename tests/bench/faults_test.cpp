@@ -58,6 +58,8 @@ TEST(Faults, modes_are_separate) {
     EXPECT_TRUE(faults_in({row_at(30, 0.003), row_at(60, 0.009, 0, "iterative")}).empty());
     const auto faults =
         faults_in({row_at(30, 0.003, 0, "iterative"), row_at(60, 0.1, 0, "iterative")});
+    EXPECT_TRUE(
+        faults_in({row_at(30, 0.003, 0, "tol1e-2"), row_at(60, 0.009, 0, "tol1e-2")}).empty());
     ASSERT_EQ(faults.size(), 1u) << "limits hold in the default mode";
     EXPECT_EQ(faults[0].mode, "iterative");
 }

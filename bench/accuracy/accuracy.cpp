@@ -11,6 +11,8 @@
 #include <vector>
 
 #include "bench/accuracy/accuracy_report.h"
+#include "bench/accuracy/experiment_list.h"
+#include "bench/accuracy/faults.h"
 #include "bench/accuracy/flag_selection.h"
 #include "bench/accuracy/regression.h"
 #include "bench/accuracy/run_row.h"
@@ -34,30 +36,45 @@ Examples:
   jostle-bench accuracy --scene all --rates 30,60,120 --csv accuracy.csv --scenes-csv scenes.csv
   tools/analysis/plot.py accuracy accuracy.csv scenes.csv -o accuracy.svg
   jostle-bench accuracy --scene c8 --modes default --peers bullet,ode
+  jostle-bench accuracy --scene slide,graded --peers none
+  jostle-bench accuracy --regression --scene slide --draw 50 --seed 7
   jostle-bench accuracy --scene none --merge accuracy.csv --json accuracy.json
   jostle-bench accuracy --scene c9-r100 --merge accuracy.json --json both.json
   jostle-bench accuracy --regression --compare-to bench/results/accuracy_short.json
+      --known-faults bench/results/accuracy_faults.json
 
-Exit status: 0 success, 1 a file could not be read or written or --compare-to found a regression,
-2 invalid flags.)";
+--regression also checks two rules and reports a fault for each violation:
+  finer  The error at a rate is at most 4/3 of the larger of the least error at any coarser rate of
+         the same scene and mode, and a tenth of the scene's finest tolerance.
+  limit  In the default mode, the errors of a member of a family are at most the limits of the
+         family, at 60 Hz and finer rates (overlap: 30 Hz).
+
+Exit status: 0 success, 1 a file could not be read or written, --compare-to found a regression or
+--regression found a fault that --known-faults does not list, 2 invalid flags.)";
 
 struct Flags {
     std::vector<std::string> scenes = {"all"};
     std::vector<std::string> rates = {"30", "60", "120", "240", "480"};
     std::vector<std::string> peers = {"all"};
     std::vector<std::string> modes = {"all"};
-    std::string json, csv, scenes_csv, tables, add, against;
+    std::string json, csv, scenes_csv, tables, add, against, known_faults;
     bool regression = false, update = false;
+    int draw = 0;  // members of each family; 0: those of every run
+    std::uint64_t seed = 2;
+
+    std::vector<const Experiment*> experiments() const {
+        return draw > 0 ? drawn_experiments(scenes, draw, seed) : selected_experiments(scenes);
+    }
 };
 
 void print_row(const Row& row) {
     if (!row.unsupported.empty()) return;
     if (row.usable())
-        std::printf("%-10s %-8s %-18s %6g %11.4g %11.4g %12.4g\n", row.scene.c_str(),
+        std::printf("%-14s %-8s %-18s %6g %11.4g %11.4g %12.4g\n", row.scene.c_str(),
                     row.engine.c_str(), row.mode.c_str(), row.rate_hz, row.error, row.second_error,
                     row.cpu_us_per_second);
     else
-        std::printf("%-10s %-8s %-18s %6g  failed: %s\n", row.scene.c_str(), row.engine.c_str(),
+        std::printf("%-14s %-8s %-18s %6g  failed: %s\n", row.scene.c_str(), row.engine.c_str(),
                     row.mode.c_str(), row.rate_hz, row.failed.c_str());
     std::fflush(stdout);
 }
@@ -97,17 +114,25 @@ std::optional<std::vector<Row>> earlier_rows(const std::string& path) {
 // The experiments that have rows.
 std::vector<const Experiment*> reported(const std::vector<Row>& rows) {
     std::vector<const Experiment*> experiments;
+    const auto has_rows = [&](const Experiment& experiment) {
+        return std::any_of(rows.begin(), rows.end(),
+                           [&](const Row& row) { return row.scene == experiment.name; });
+    };
     for (const Experiment& experiment : all_experiments())
-        if (std::any_of(rows.begin(), rows.end(),
-                        [&](const Row& row) { return row.scene == experiment.name; }))
-            experiments.push_back(&experiment);
+        if (has_rows(experiment)) experiments.push_back(&experiment);
+    for (const Row& row : rows) {  // drawn members
+        const Experiment* experiment = find_experiment(row.scene);
+        if (experiment &&
+            std::find(experiments.begin(), experiments.end(), experiment) == experiments.end())
+            experiments.push_back(experiment);
+    }
     return experiments;
 }
 
 std::vector<Row> run_rows(const Flags& flags, std::vector<Row> rows) {
-    std::printf("%-10s %-8s %-18s %6s %11s %11s %12s\n", "scene", "engine", "mode", "rate", "error",
+    std::printf("%-14s %-8s %-18s %6s %11s %11s %12s\n", "scene", "engine", "mode", "rate", "error",
                 "second", "cpu us/s");
-    for (const Experiment* experiment : selected_experiments(flags.scenes)) {
+    for (const Experiment* experiment : flags.experiments()) {
         // computes the reference, which child processes inherit
         static_cast<void>(experiment->start(0));
         for (const EngineKind* kind : selected_engines(flags.peers))
@@ -137,12 +162,14 @@ bool write_files(const Flags& flags, const std::vector<Row>& rows, const Score& 
         done = write_text(flags.scenes_csv, scenes_csv(reported(rows))) && done;
     if (flags.tables.empty()) return done;
     return replace_section(flags.tables, "jostle at 60 Hz", jostle_table(rows)) &&
+           replace_section(flags.tables, "families", family_table(rows)) &&
            replace_section(flags.tables, "score", score_table(score)) && done;
 }
 
 int run(const Flags& flags) {
     if (flags.regression)
-        return run_regression(selected_experiments(flags.scenes), flags.against, flags.update);
+        return run_regression(flags.experiments(),
+                              {flags.against, flags.known_faults, flags.update});
     for (const std::string& path : {flags.json, flags.csv, flags.scenes_csv, flags.tables})
         if (!path.empty() && !can_write(path)) return 1;
     auto earlier = earlier_rows(flags.add);
@@ -153,6 +180,11 @@ int run(const Flags& flags) {
         std::printf("%s", scene_report(*experiment, rows).c_str());
     const Score score = score_of(rows, "jostle");
     std::printf("%s", score_report(score).c_str());
+    const Score of_families = score_of(rows, "jostle", Scope::families);
+    if (!of_families.comparisons.empty())
+        std::printf("\nMembers of families:%s", score_report(of_families).c_str());
+    const std::string faults = to_text(judge(faults_of(rows, reported(rows)), {}, {}));
+    if (!faults.empty()) std::printf("\nFaults of Jostle (--help):\n%s", faults.c_str());
     return write_files(flags, rows, score) ? 0 : 1;
 }
 
@@ -164,10 +196,22 @@ void add_accuracy(CLI::App& app, int& status) {
     const auto flags = std::make_shared<Flags>();
     command
         ->add_option("--scene", flags->scenes,
-                     "Run scenes by name; all or none; see below [default: all]")
+                     "Run scenes and families by name; all, fixed (no families),\n"
+                     "families or none; see below [default: all]")
         ->type_name("NAME")
         ->delimiter(',')
         ->check(CLI::Validator(check_experiment, ""));
+    CLI::Option* draw =
+        command
+            ->add_option("--draw", flags->draw,
+                         "Run N other members of the selected families instead\n[1 to 1000]")
+            ->type_name("N")
+            ->check(CLI::Range(1, 1000).description(""));
+    command
+        ->add_option("--seed", flags->seed,
+                     "Draw with this seed; runs without --draw use 1 [default: 2]")
+        ->type_name("SEED")
+        ->needs(draw);
     command
         ->add_option("--rates", flags->rates,
                      "Step rates, in Hz [default: 30,60,120,240,480;\n"
@@ -206,7 +250,7 @@ void add_accuracy(CLI::App& app, int& status) {
     CLI::Option* regression =
         command->add_flag("--regression", flags->regression,
                           "Measure the errors of Jostle only, at 30, 60 and 120 Hz, on the\n"
-                          "scenes that take seconds");
+                          "scenes that take seconds, and check two rules; see below");
     CLI::Option* against =
         command
             ->add_option("--compare-to", flags->against,
@@ -214,13 +258,22 @@ void add_accuracy(CLI::App& app, int& status) {
                          "is a regression")
             ->type_name("FILE")
             ->needs(regression);
+    against->excludes(draw);
     command
-        ->add_flag("--update", flags->update, "Write the measured values to the --compare-to file")
+        ->add_option("--known-faults", flags->known_faults,
+                     "Accept the faults in this file, with their causes")
+        ->type_name("FILE")
+        ->needs(regression);
+    command
+        ->add_flag("--update", flags->update,
+                   "Write the measured values to the --compare-to file, and remove\n"
+                   "obsolete faults from the --known-faults file")
         ->needs(against);
     for (const char* other : {"--rates", "--peers", "--modes", "--json", "--csv", "--scenes-csv",
                               "--tables", "--merge"})
         regression->excludes(command->get_option(other));
-    command->footer("\n" + experiment_list() + "\n" + engine_list() + footer);
+    command->footer("\n" + experiment_list() + "\n" + family_list() + "\n" + engine_list() +
+                    footer);
     command->callback([flags, &status] { status = run(*flags); });
 }
 

@@ -29,6 +29,17 @@ Vec3 sphere_inertia(double mass, double radius) {
     return {inertia, inertia, inertia};
 }
 
+Vec3 capsule_inertia(double mass, double radius, double half_length) {
+    const double r = radius, l = 2 * half_length;
+    const double density = mass / (physics::pi * r * r * (l + 4.0 / 3 * r));
+    const double tube = density * physics::pi * r * r * l;
+    const double caps = mass - tube;
+    const double along = tube * r * r / 2 + caps * 0.4 * r * r;
+    const double across =
+        tube * (l * l / 12 + r * r / 4) + caps * (0.4 * r * r + l * l / 4 + 3.0 / 8 * l * r);
+    return {across, along, across};
+}
+
 Vec3 box_of_inertia(double mass, Vec3 inertia) {
     const double half_sum = 0.5 * (inertia.x + inertia.y + inertia.z);
     Vec3 h;
@@ -53,6 +64,11 @@ Body solid_cylinder(double mass, double radius, double half_length, Vec3 positio
                  physics::Cylinder{radius, half_length}, position);
 }
 
+Body solid_capsule(double mass, double radius, double half_length, Vec3 position) {
+    return solid(mass, capsule_inertia(mass, radius, half_length),
+                 physics::Capsule{radius, half_length}, position);
+}
+
 Body solid_hull(double density, std::span<const Vec3> points) {
     const auto hull = physics::build_hull(points).value();
     HullPoints centered;
@@ -68,6 +84,28 @@ Body fixed_plane() {
 
 Body fixed_box(Vec3 half_extents, Vec3 position) {
     return {.motion = Motion::fixed, .shape = physics::Box{half_extents}, .pose = {position, {}}};
+}
+
+Body fixed_shape(physics::Geometry geometry, Vec3 position, Quat rotation) {
+    return {.motion = Motion::fixed,
+            .shape = OtherShape{std::move(geometry)},
+            .pose = {position, rotation}};
+}
+
+std::string feature_of_jostle_only(const Scene& scene) {
+    if (scene.planar_world) return "planar worlds";
+    for (const Body& body : scene.bodies) {
+        if (body.trigger) return "triggers";
+        if (body.rotation_locked) return "locked rotations";
+        if (body.shape && std::holds_alternative<OtherShape>(*body.shape))
+            return kind_name(kind_of(std::get<OtherShape>(*body.shape).geometry)) +
+                   std::string(" shapes");
+        if (body.motion == Motion::kinematic && length(body.spin) > 0)
+            return "rotating driven bodies";
+    }
+    for (const Joint& joint : scene.joints)
+        if (joint.other) return std::string(physics::kind_name(joint.other->kind)) + " joints";
+    return {};
 }
 
 Body without_shape(Body body) {

@@ -6,6 +6,7 @@
 
 #include <optional>
 #include <span>
+#include <string>
 #include <vector>
 
 #include "bench/accuracy/accuracy_scene.h"
@@ -23,16 +24,23 @@ Vec3 sphere_inertia(double mass, double radius);
 // body is an infinitely thin plate; the box is then 2 mm thick.
 Vec3 box_of_inertia(double mass, Vec3 inertia);
 
+Vec3 capsule_inertia(double mass, double radius, double half_length);  // along y
+
 // Bodies with these shapes, at rest and axis-aligned.
 Body solid_box(double mass, Vec3 half_extents, Vec3 position);
 Body solid_sphere(double mass, double radius, Vec3 position);
 Body solid_cylinder(double mass, double radius, double half_length, Vec3 position);
+Body solid_capsule(double mass, double radius, double half_length, Vec3 position);
 // A convex solid with a density in kg/m^3 and points in world coordinates. Its principal axes must
 // be the world's axes, which holds for solids with two planes of symmetry along them.
 Body solid_hull(double density, std::span<const Vec3> points);
 
 Body fixed_plane();  // the plane z = 0, solid below
 Body fixed_box(Vec3 half_extents, Vec3 position);
+Body fixed_shape(physics::Geometry geometry, Vec3 position, Quat rotation = {});
+
+// A feature of the scene that only Jostle's adapter supports, in the plural. Empty: none.
+std::string feature_of_jostle_only(const Scene& scene);
 
 // The same mass without collision.
 Body without_shape(Body body);

@@ -21,6 +21,11 @@ struct BodyState {
     Vec3 velocity, spin;
 };
 
+// Entries and exits of triggers, since the start.
+struct TriggerCounts {
+    int entered = 0, left = 0;
+};
+
 class Engine {
 public:
     virtual ~Engine() = default;
@@ -38,6 +43,7 @@ public:
     // An error that the engine has reported since the start, which invalidates the run. Empty:
     // none.
     virtual std::string failure() const { return {}; }
+    virtual TriggerCounts trigger_counts() const { return {}; }
 };
 
 struct EngineKind {

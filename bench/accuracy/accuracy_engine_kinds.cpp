@@ -33,10 +33,9 @@ const std::vector<EngineKind>& kinds() {
     static const std::vector<EngineKind> all = {
         {"jostle",
          "double precision, with float in the inner loops; subN: N sub-steps, tolX: a tolerance of "
-         "X "
-         "in "
-         "metres; default continuous collision",
-         {"sub8", "sub1", "sub4", "sub16", "tol1e-2", "tol1e-3"},
+         "X in metres, iterative: sub8 with all joints solved iteratively, for scenes with joints; "
+         "default continuous collision",
+         {"sub8", "sub1", "sub4", "sub16", "tol1e-2", "tol1e-3", "iterative"},
          make_jostle_engine},
         {"bullet",
          "double precision; sequential impulses or nonlinear conjugate gradients with N "

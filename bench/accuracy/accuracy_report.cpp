@@ -8,7 +8,9 @@
 #include <iterator>
 
 #include "bench/accuracy/accuracy_engine_kinds.h"
+#include "bench/accuracy/experiment_list.h"
 #include "bench/accuracy/flag_selection.h"
+#include "bench/accuracy/row_family.h"
 #include "bench/accuracy/stress_test.h"
 #include "bench/result_file.h"
 #include "jostle/base/format_text.h"
@@ -122,8 +124,10 @@ std::string score_report(const Score& score) {
                              work_of(comparison.ours).c_str(), peer.c_str(),
                              work_of(comparison.best_peer).c_str());
     }
-    return format_text("\nWork of the best peer / work of Jostle, geometric mean of %zu: %.3g\n",
-                       score.comparisons.size(), score.mean) +
+    return format_text(
+               "\nWork of the best peer / work of Jostle, geometric mean of %zu: %.3g; of the %d "
+               "that both sides reach: %.3g\n",
+               score.comparisons.size(), score.mean, score.both_count, score.both_mean) +
            format_text("Behind in %d, below 1/2 in %d:\n", behind, far_behind) + lines;
 }
 
@@ -136,6 +140,7 @@ std::string scenes_csv(const std::vector<const Experiment*>& experiments) {
         for (const double tolerance : experiment->tolerances)
             tolerances += format_text(tolerances.empty() ? "%g" : " %g", tolerance);
         rows.push_back({{"scene", experiment->name},
+                        {"family", experiment->family},
                         {"description", experiment->about},
                         {"error", measures.substr(0, end)},
                         {"second_error", measures.substr(std::min(end + 2, measures.size()))},
@@ -168,12 +173,25 @@ nlohmann::ordered_json score_json(const Score& score) {
         ratios.push_back({{"scene", comparison.scene},
                           {"tolerance", comparison.tolerance},
                           {"ratio", rounded(comparison.ratio)}});
-    return {{"geometric_mean", rounded(score.mean)}, {"ratios", ratios}};
+    return {{"geometric_mean", rounded(score.mean)},
+            {"both_reach", score.both_count},
+            {"geometric_mean_of_both", rounded(score.both_mean)},
+            {"ratios", ratios}};
 }
 
 namespace {
 
 constexpr double usual_rate = 60;
+
+// A row of Jostle; null if there is none.
+const Row* row_at(const std::vector<Row>& rows, const std::string& scene, const std::string& mode,
+                  double rate_hz) {
+    for (const Row& row : rows)
+        if (row.scene == scene && row.engine == engine_kinds()[0].name && row.mode == mode &&
+            row.rate_hz == rate_hz)
+            return &row;
+    return nullptr;
+}
 
 bool has_no_second(const Experiment& experiment) {
     return experiment.measures.ends_with("none");
@@ -195,22 +213,52 @@ std::string cell_of(const nlohmann::ordered_json& row) {
 }  // namespace
 
 std::string jostle_table(const std::vector<Row>& rows) {
-    const EngineKind& jostle = engine_kinds()[0];
-    std::string text = "| scene | errors | first | second | CPU us/s |\n|---|---|---|---|---|\n";
-    for (const Experiment& experiment : all_experiments())
-        for (const Row& row : rows) {
-            if (row.scene != experiment.name || row.engine != jostle.name ||
-                row.mode != jostle.modes[0] || row.rate_hz != usual_rate)
-                continue;
-            text += "| " + row.scene + " | " + experiment.measures + " | ";
-            if (!row.usable())
-                text += row.failed + " | | |\n";
-            else if (has_no_second(experiment))
-                text += format_text("%.2g |  | %.3g |\n", row.error, row.cpu_us_per_second);
-            else
-                text += format_text("%.2g | %.2g | %.3g |\n", row.error, row.second_error,
-                                    row.cpu_us_per_second);
+    const std::string& usual_mode = engine_kinds()[0].modes[0];
+    std::string text =
+        "| scene | errors | first | second | CPU us/s | first, iterative |\n"
+        "|---|---|---|---|---|---|\n";
+    for (const Experiment& experiment : all_experiments()) {
+        if (!experiment.family.empty()) continue;
+        const Row* row = row_at(rows, experiment.name, usual_mode, usual_rate);
+        if (!row) continue;
+        text += "| " + row->scene + " | " + experiment.measures + " | ";
+        if (!row->usable())
+            text += row->failed + " | | |";
+        else if (has_no_second(experiment))
+            text += format_text("%.2g |  | %.3g |", row->error, row->cpu_us_per_second);
+        else
+            text += format_text("%.2g | %.2g | %.3g |", row->error, row->second_error,
+                                row->cpu_us_per_second);
+        const Row* swept = row_at(rows, experiment.name, "iterative", usual_rate);
+        if (swept && swept->unsupported.empty())
+            text += swept->usable() ? format_text(" %.2g |\n", swept->error) : " blown |\n";
+        else
+            text += " |\n";
+    }
+    return text;
+}
+
+std::string family_table(const std::vector<Row>& rows) {
+    const std::string& usual_mode = engine_kinds()[0].modes[0];
+    std::string text =
+        "| family | members | first error | 30 Hz | 60 Hz | 120 Hz | 480 Hz | limit |\n"
+        "|---|---|---|---|---|---|---|---|\n";
+    for (const RowFamily& family : all_families()) {
+        const std::vector<Experiment> members = members_of(family);
+        text += format_text("| %s | %zu | %s |", family.name.c_str(), members.size(),
+                            family.measures.substr(0, family.measures.find("; ")).c_str());
+        for (const double rate : {30.0, 60.0, 120.0, 480.0}) {
+            double worst = -1;
+            bool failed = false;
+            for (const Experiment& member : members)
+                if (const Row* row = row_at(rows, member.name, usual_mode, rate)) {
+                    failed = failed || !row->usable();
+                    worst = std::max(worst, row->error);
+                }
+            text += failed ? " blown |" : worst < 0 ? " - |" : format_text(" %.2g |", worst);
         }
+        text += family.limit > 0 ? format_text(" %g |\n", family.limit) : " |\n";
+    }
     return text;
 }
 
@@ -226,9 +274,10 @@ std::string score_table(const Score& score) {
     }
     std::string text = format_text(
         "Over %zu pairs of scene and tolerance the best peer's least work over Jostle's has a "
-        "geometric mean of\n%.3g. Jostle needs more work in %d of them, and more than twice as "
-        "much in %d",
-        score.comparisons.size(), score.mean, behind, far_behind);
+        "geometric mean of\n%.3g. Over the %d pairs that both sides reach it is %.3g. Jostle needs "
+        "more work in %d of all pairs,\nand more than twice as much in %d",
+        score.comparisons.size(), score.mean, score.both_count, score.both_mean, behind,
+        far_behind);
     if (far_behind == 0) return text + ".\n";
     return text + ":\n\n| scene | error | ratio | best peer |\n|---|---|---|---|\n" + lines;
 }

@@ -30,6 +30,7 @@ nlohmann::ordered_json score_json(const Score& score);
 // -->. --tables rewrites them, so that no values are copied by hand.
 
 std::string jostle_table(const std::vector<Row>& rows);  // Jostle's default mode at 60 Hz
+std::string family_table(const std::vector<Row>& rows);  // the worst member of each family
 std::string score_table(const Score& score);  // the score, and the rows in which a peer is better
 std::string stability_table(const nlohmann::ordered_json& rows);  // of the JSON of stability
 

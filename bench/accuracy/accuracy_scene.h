@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "jostle/physics/geometry.h"
+#include "jostle/physics/joint_defs.h"
 #include "jostle/physics/transform.h"
 
 namespace jostle::bench::accuracy {
@@ -23,9 +24,15 @@ struct HullPoints {
     std::vector<Vec3> points;
 };
 
-// A plane is solid below; its normal is a unit vector. A cylinder lies along its y axis.
-using Shape =
-    std::variant<physics::Sphere, physics::Box, physics::Cylinder, physics::Plane, HullPoints>;
+// A shape that only Jostle's adapter supports, such as a mesh.
+struct OtherShape {
+    physics::Geometry geometry;
+};
+
+// A plane is solid below; its normal is a unit vector. Cylinders and capsules lie along their y
+// axis.
+using Shape = std::variant<physics::Sphere, physics::Box, physics::Cylinder, physics::Plane,
+                           HullPoints, physics::Capsule, OtherShape>;
 
 // How a body moves. A driven body keeps its prescribed velocity through collisions.
 enum class Motion { free, fixed, kinematic };
@@ -37,6 +44,8 @@ struct Body {
     std::optional<Shape> shape;  // none: no collision
     Transform pose;              // of the centre of mass
     Vec3 velocity, spin;         // m/s and rad/s, world axes
+    bool trigger = false;        // reports the bodies inside it, without contact forces
+    bool rotation_locked = false;
 };
 
 enum class JointKind {
@@ -58,6 +67,12 @@ struct Limit {
     double lower = 0, upper = 0;  // rad
 };
 
+// A joint that only Jostle's adapter supports. The frames are those of the two bodies.
+struct OtherJoint {
+    physics::JointKind kind;
+    Transform frame_a, frame_b;
+};
+
 inline constexpr int ground = -1;  // the world as an end of a joint
 
 // Anchors and axis are in world coordinates at the start.
@@ -70,9 +85,10 @@ struct Joint {
     double stiffness = 0, damping = 0;  // of springs: N/m and N s/m
     double rest_length = 0;             // of springs: m
     std::optional<Vec3>
-        misaligned_anchor_b;     // of balls: the end at b, if it differs from the anchor
-    std::optional<Motor> motor;  // of hinges
-    std::optional<Limit> limit;  // of hinges
+        misaligned_anchor_b;          // of balls: the end at b, if it differs from the anchor
+    std::optional<Motor> motor;       // of hinges
+    std::optional<Limit> limit;       // of hinges
+    std::optional<OtherJoint> other;  // replaces the kind, the anchors and the axis
 };
 
 // Friction and restitution are those of each pair. Engines compensate their own mixing rules.
@@ -90,6 +106,8 @@ struct Scene {
     double damping = 0;
     bool continuous = false;  // continuous collision detection, if the engine has it
     bool planar = false;      // all motion is in the xz plane, and all joint axes are along y
+    // A planar world of Jostle: spheres and boxes only, for which `planar` holds.
+    bool planar_world = false;
 };
 
 }  // namespace jostle::bench::accuracy

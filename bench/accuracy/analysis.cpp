@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "bench/accuracy/analysis.h"
+#include "bench/accuracy/experiment_list.h"
 
 #include <algorithm>
 #include <cmath>
@@ -78,10 +79,11 @@ std::vector<Row> pareto_set(const std::vector<Row>& rows, const std::string& sce
     return front;
 }
 
-Score score_of(const std::vector<Row>& rows, const std::string& us) {
+Score score_of(const std::vector<Row>& rows, const std::string& us, Scope scope) {
     Score score;
-    double logs = 0;
+    double logs = 0, both_logs = 0;
     for (const Experiment& experiment : all_experiments()) {
+        if (experiment.family.empty() != (scope == Scope::fixed)) continue;
         if (!has_peer(rows, experiment.name, us)) continue;
         for (const double tolerance : experiment.tolerances) {
             Comparison found{.scene = experiment.name,
@@ -94,9 +96,14 @@ Score score_of(const std::vector<Row>& rows, const std::string& us) {
                               ? 1 / missing
                               : found.best_peer->cpu_us_per_second / found.ours->cpu_us_per_second;
             logs += std::log(found.ratio);
+            if (found.ours && found.best_peer) {
+                both_logs += std::log(found.ratio);
+                score.both_count++;
+            }
             score.comparisons.push_back(std::move(found));
         }
     }
+    if (score.both_count > 0) score.both_mean = std::exp(both_logs / score.both_count);
     if (!score.comparisons.empty())
         score.mean = std::exp(logs / static_cast<double>(score.comparisons.size()));
     return score;

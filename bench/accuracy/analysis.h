@@ -38,8 +38,13 @@ struct Comparison {
 struct Score {
     std::vector<Comparison> comparisons;
     double mean = 1;  // geometric mean of the ratios
+    // The comparisons in which both sides reach the tolerance, whose ratios are measured.
+    int both_count = 0;
+    double both_mean = 1;
 };
-// Scenes and tolerances that no engine reaches, or that no peer has rows for, are omitted.
-Score score_of(const std::vector<Row>& rows, const std::string& us);
+// Scenes and tolerances that no engine reaches, or that no peer has rows for, are omitted. The
+// members of families have a score of their own.
+enum class Scope { fixed, families };
+Score score_of(const std::vector<Row>& rows, const std::string& us, Scope scope = Scope::fixed);
 
 }  // namespace jostle::bench::accuracy

@@ -56,6 +56,10 @@ struct ShapeMaker {
     std::unique_ptr<btCollisionShape> operator()(const physics::Cylinder& c) const {
         return std::make_unique<btCylinderShape>(btVector3(c.radius, c.half_length, c.radius));
     }
+    std::unique_ptr<btCollisionShape> operator()(const physics::Capsule& c) const {
+        return std::make_unique<btCapsuleShape>(c.radius, 2 * c.half_length);
+    }
+    std::unique_ptr<btCollisionShape> operator()(const OtherShape&) const { return nullptr; }
     std::unique_ptr<btCollisionShape> operator()(const physics::Plane& plane) const {
         return std::make_unique<btStaticPlaneShape>(vector(plane.normal), 0);
     }

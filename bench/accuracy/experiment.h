@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
 // An experiment of the accuracy benchmark: a scene, its duration, its error measures and
-// tolerances. Each family of experiments has its own file; all_experiments() lists them.
+// tolerances. experiment_list.h lists them.
 #pragma once
 
 #include <functional>
 #include <memory>
-#include <span>
 #include <string>
-#include <string_view>
 #include <vector>
 
 #include "bench/accuracy/accuracy_engine.h"
@@ -33,6 +31,10 @@ struct ExperimentRun {
     double seconds = 1;
     std::unique_ptr<Meter> meter;
     double damping_ends = 0;  // s: Scene::damping becomes 0 at this time. 0: never
+    // Length of step k in s, if steps differ from those of the rate. Empty: all last dt.
+    std::function<double(long k, double dt)> step_length = {};
+    // Moves driven bodies before the step from t to t + dt. Empty: no driven bodies.
+    std::function<void(double t, double dt, Engine& engine)> drive = {};
 };
 
 struct Experiment {
@@ -50,21 +52,15 @@ struct Experiment {
     double finest_hz = 0;
     // `shift`: delay of the start, s, less than a step.
     std::function<ExperimentRun(double shift)> start;
+    std::string family = {};  // of which this is a member (row_family.h); empty: a single scene
+    // Errors that Jostle must not exceed at limit_from_hz and finer. 0: no limit.
+    double limit = 0, second_limit = 0;
+    double limit_from_hz = 60;
+    // The short benchmark measures rates up to this one.
+    double short_max_hz = 240;
+
+    // Errors below it are not compared between rates (faults.h).
+    double floor() const { return 0.1 * tolerances.back(); }
 };
-
-// In the order of the specification: free bodies, joints, contacts.
-std::span<const Experiment> all_experiments();
-const Experiment* find_experiment(std::string_view name);  // null: none
-
-// The families, one file each.
-std::vector<Experiment> free_experiments();
-std::vector<Experiment> top_experiments();       // spinning and precessing bodies on joints
-std::vector<Experiment> pendulum_experiments();  // and chains
-std::vector<Experiment> machine_experiments();   // motors, limits, sliders, hanging bridges
-std::vector<Experiment> friction_experiments();
-std::vector<Experiment> impact_experiments();
-std::vector<Experiment> stack_experiments();
-std::vector<Experiment> pile_experiments();
-std::vector<Experiment> chaos_experiments();  // chaotic scenes
 
 }  // namespace jostle::bench::accuracy

@@ -6,7 +6,9 @@
 #include <cstdlib>
 
 #include "bench/accuracy/accuracy_engine_kinds.h"
+#include "bench/accuracy/experiment_list.h"
 #include "bench/accuracy/reference.h"
+#include "bench/accuracy/row_family.h"
 #include "bench/measure.h"
 #include "jostle/base/nearest_name.h"
 
@@ -33,9 +35,11 @@ bool contains(const std::vector<std::string>& list, const std::string& name) {
 }
 
 std::string check_experiment(const std::string& name) {
-    if (name == "all" || name == "none" || find_experiment(name)) return "";
-    std::vector<std::string> known = {"all", "none"};
-    for (const Experiment& experiment : all_experiments()) known.push_back(experiment.name);
+    std::vector<std::string> known = {"all", "none", "fixed", "families"};
+    if (contains(known, name) || find_experiment(name) || find_family(name)) return "";
+    for (const Experiment& experiment : all_experiments())
+        if (experiment.family.empty()) known.push_back(experiment.name);
+    for (const RowFamily& family : all_families()) known.push_back(family.name);
     return "unknown scene " + name + did_you_mean(name, known) + "; must be one of " +
            joined(known);
 }
@@ -74,8 +78,21 @@ std::string check_rate(const std::string& text) {
 std::vector<const Experiment*> selected_experiments(const std::vector<std::string>& chosen) {
     std::vector<const Experiment*> experiments;
     for (const Experiment& experiment : all_experiments())
-        if (contains(chosen, "all") || contains(chosen, experiment.name))
+        if (contains(chosen, "all") || contains(chosen, experiment.name) ||
+            contains(chosen, experiment.family.empty() ? "fixed" : "families") ||
+            contains(chosen, experiment.family))
             experiments.push_back(&experiment);
+    return experiments;
+}
+
+std::vector<const Experiment*> drawn_experiments(const std::vector<std::string>& chosen, int count,
+                                                 std::uint64_t seed) {
+    std::vector<const Experiment*> experiments;
+    for (const RowFamily& family : all_families())
+        if (contains(chosen, "all") || contains(chosen, "families") ||
+            contains(chosen, family.name))
+            for (Experiment& member : drawn_members(family, count, seed))
+                experiments.push_back(add_experiment(std::move(member)));
     return experiments;
 }
 
@@ -108,8 +125,21 @@ std::string engine_list() {
 std::string experiment_list() {
     std::string text = "Scenes and their two errors:\n";
     for (const Experiment& experiment : all_experiments())
-        text += "  " + experiment.name + ": " + experiment.about + "\n    " + experiment.measures +
-                "\n";
+        if (experiment.family.empty())
+            text += "  " + experiment.name + ": " + experiment.about + "\n    " +
+                    experiment.measures + "\n";
+    return text;
+}
+
+std::string family_list() {
+    std::string text = "Families, their two errors and their parameters:\n";
+    for (const RowFamily& family : all_families()) {
+        std::vector<std::string> names;
+        for (const Parameter& parameter : family.parameters)
+            names.push_back(parameter.name.substr(0, parameter.name.find(',')));
+        text += "  " + family.name + ": " + family.about + "\n    " + family.measures + "\n    " +
+                joined(names) + "\n";
+    }
     return text;
 }
 

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bench/accuracy/accuracy_bodies.h"
+#include "bench/accuracy/experiment_list.h"
 #include "bench/accuracy/meters.h"
 #include "bench/accuracy/reference.h"
 
@@ -155,7 +156,8 @@ std::vector<Experiment> free_experiments() {
          .measures = "largest drift of energy or momentum; none",
          .tolerances = {0.01, 0.001, 1e-5},
          .max_hz = 240,
-         .start = [](double) { return tumble(600); }},
+         .start = [](double) { return tumble(600); },
+         .short_max_hz = 120},
     };
 }
 

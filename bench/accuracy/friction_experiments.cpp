@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bench/accuracy/accuracy_bodies.h"
+#include "bench/accuracy/experiment_list.h"
 #include "bench/accuracy/meters.h"
 
 namespace jostle::bench::accuracy {
@@ -113,7 +114,8 @@ std::vector<Experiment> friction_experiments() {
          .about = "a box sticks to a slope for 5 s",
          .measures = "creep, m; sink, m",
          .tolerances = {0.001, 1e-5, 1e-7},
-         .start = stick},
+         .start = stick,
+         .short_max_hz = 480},
         {.name = "c3",
          .about = "a box slides down a slope for 2 s",
          .measures = "position error at the end / distance travelled; sink, m",

@@ -17,6 +17,7 @@ using physics::BodyType;
 using physics::ShapeDef;
 
 Result<physics::Geometry> geometry_of(const Shape& shape) {
+    if (const auto* other = std::get_if<OtherShape>(&shape)) return other->geometry;
     if (const auto* hull = std::get_if<HullPoints>(&shape)) {
         auto built = physics::build_hull(hull->points);
         if (!built) return built.error();
@@ -25,7 +26,8 @@ Result<physics::Geometry> geometry_of(const Shape& shape) {
     physics::Geometry geometry;
     std::visit(
         [&](const auto& primitive) {
-            if constexpr (!std::is_same_v<std::decay_t<decltype(primitive)>, HullPoints>)
+            using Kind = std::decay_t<decltype(primitive)>;
+            if constexpr (!std::is_same_v<Kind, HullPoints> && !std::is_same_v<Kind, OtherShape>)
                 geometry = primitive;
         },
         shape);
@@ -35,9 +37,16 @@ Result<physics::Geometry> geometry_of(const Shape& shape) {
 class JostleAccuracyEngine final : public Engine {
 public:
     Status build(const Scene& scene, const std::string& mode) override {
-        // subN: N sub-steps; tolX: a tolerance of X metres.
-        physics::WorldDef def{.gravity = scene.gravity, .threads = 1, .sleeping = false};
-        if (mode.starts_with("tol"))
+        // subN: N sub-steps; tolX: a tolerance of X metres; iterative: 8 sub-steps.
+        planar_ = scene.planar_world;
+        physics::WorldDef def{.gravity = into_world(scene.gravity),
+                              .threads = 1,
+                              .sleeping = false,
+                              .planar = planar_};
+        if (mode == "iterative") {
+            if (scene.joints.empty()) return Error{.message = "iterative is a mode of joints"};
+            def.joint_solver = physics::JointSolver::iterative;
+        } else if (mode.starts_with("tol"))
             def.tolerance = std::stod(mode.substr(3));
         else
             def.substeps = std::stoi(mode.substr(3));
@@ -59,11 +68,17 @@ public:
     void step(double dt) override {
         if (mutual_pull_ > 0) pull_each_other(dt);
         if (auto status = world_->step(dt); !status) failure_ = status.error().message;
+        const physics::Events events = world_->events();
+        triggers_.entered += static_cast<int>(events.triggers_entered.size());
+        triggers_.left += static_cast<int>(events.triggers_left.size());
     }
+
+    TriggerCounts trigger_counts() const override { return triggers_; }
 
     BodyState state(int body) const override {
         const auto now = *world_->body(bodies_[static_cast<std::size_t>(body)]);
-        return {now.center, now.pose.rotation, now.linear_velocity, now.angular_velocity};
+        return {out_of_world(now.center), out_of_world(now.pose.rotation),
+                out_of_world(now.linear_velocity), out_of_world(now.angular_velocity)};
     }
 
     void set_damping(double rate) override {
@@ -73,13 +88,27 @@ public:
     }
 
     void set_velocity(int body, Vec3 velocity) override {
-        static_cast<void>(
-            world_->set_velocity(bodies_[static_cast<std::size_t>(body)], velocity, {}));
+        static_cast<void>(world_->set_velocity(bodies_[static_cast<std::size_t>(body)],
+                                               into_world(velocity), {}));
     }
 
     std::string failure() const override { return failure_; }
 
 private:
+    // A planar world moves in x and y, a planar scene in x and z: both are rotated about x.
+    Vec3 into_world(Vec3 v) const { return planar_ ? Vec3{v.x, v.z, -v.y} : v; }
+    Vec3 out_of_world(Vec3 v) const { return planar_ ? Vec3{v.x, -v.z, v.y} : v; }
+    Quat into_world(Quat q) const { return planar_ ? Quat{q.x, q.z, -q.y, q.w} : q; }
+    Quat out_of_world(Quat q) const { return planar_ ? Quat{q.x, -q.z, q.y, q.w} : q; }
+    physics::Geometry into_world(physics::Geometry geometry) const {
+        if (!planar_) return geometry;
+        if (auto* box = std::get_if<physics::Box>(&geometry))
+            std::swap(box->half_extents.y, box->half_extents.z);
+        if (auto* plane = std::get_if<physics::Plane>(&geometry))
+            plane->normal = into_world(plane->normal);
+        return geometry;
+    }
+
     // A force that is constant within a step is integrated exactly. Evaluated at the positions in
     // the middle of the step it is second order, like Jostle's own fields.
     void pull_each_other(double dt) {
@@ -100,19 +129,22 @@ private:
         BodyDef def{.type = body.motion == Motion::fixed       ? BodyType::static_body
                             : body.motion == Motion::kinematic ? BodyType::kinematic
                                                                : BodyType::dynamic,
-                    .pose = body.pose,
-                    .linear_velocity = body.velocity,
-                    .angular_velocity = body.spin};
+                    .pose = {into_world(body.pose.position), into_world(body.pose.rotation)},
+                    .linear_velocity = into_world(body.velocity),
+                    .angular_velocity = into_world(body.spin)};
+        if (body.rotation_locked)
+            def.locks =
+                physics::lock_rotation_x | physics::lock_rotation_y | physics::lock_rotation_z;
         if (body.motion == Motion::free) def.linear_damping = def.angular_damping = scene.damping;
         // The placeholder of a body without collision is as thin as possible; it must not be swept.
         def.continuous = body.shape.has_value();
         ShapeDef shape{.material = {.friction = scene.friction, .restitution = scene.restitution},
-
-                       .mass = body.mass};
+                       .mass = body.mass,
+                       .trigger = body.trigger};
         if (body.shape) {
             auto geometry = geometry_of(*body.shape);
             if (!geometry) return geometry.error();
-            shape.geometry = *geometry;
+            shape.geometry = into_world(*geometry);
         } else {
             shape.geometry = physics::Box{box_of_inertia(body.mass, body.inertia)};
             shape.filter = {.category = 0, .mask = 0};
@@ -135,13 +167,18 @@ private:
 
     Status add_joint(const Scene& scene, const Joint& joint) {
         physics::JointDef def{.body_b = bodies_[static_cast<std::size_t>(joint.b)],
-                              .kind = kind_of(scene, joint)};
+                              .kind = joint.other ? joint.other->kind : kind_of(scene, joint)};
         if (joint.a == ground) {
             auto id = ground_body();
             if (!id) return id.error();
             def.body_a = *id;
         } else {
             def.body_a = bodies_[static_cast<std::size_t>(joint.a)];
+        }
+        if (joint.other) {
+            def.frame_a = joint.other->frame_a, def.frame_b = joint.other->frame_b;
+            if (auto id = world_->create_joint(def); !id) return id.error();
+            return {};
         }
         const Quat turned = axes_along(joint.axis);
         const bool two_anchors = joint.kind == JointKind::rod || joint.kind == JointKind::spring;
@@ -189,6 +226,8 @@ private:
     std::vector<BodyId> bodies_;
     std::optional<BodyId> ground_;
     double mutual_pull_ = 0;
+    bool planar_ = false;
+    TriggerCounts triggers_;
     std::string failure_;
 };
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bench/accuracy/accuracy_bodies.h"
+#include "bench/accuracy/experiment_list.h"
 #include "bench/accuracy/meters.h"
 #include "bench/accuracy/reference.h"
 
@@ -175,7 +176,8 @@ std::vector<Experiment> machine_experiments() {
              [](double) {
                  return hanging(
                      {"j7", 40, 0.1, 3.0, 21, 20, 0.05, {0.05, 0.01, 0.01}, JointKind::ball});
-             }},
+             },
+         .short_max_hz = 120},
         {.name = "j8",
          .about = "a bridge of 20 planks settles between two points",
          .measures = sag,
@@ -185,7 +187,8 @@ std::vector<Experiment> machine_experiments() {
              [](double) {
                  return hanging(
                      {"j8", 20, 0.5, 9.8, 20, 0, 1, {0.25, 0.4, 0.04}, JointKind::hinge});
-             }},
+             },
+         .short_max_hz = 120},
     };
 }
 

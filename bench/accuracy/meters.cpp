@@ -71,7 +71,8 @@ private:
 
 GapMeter::GapMeter(const Scene& scene) {
     for (const Joint& joint : scene.joints) {
-        if (joint.kind == JointKind::slider || joint.kind == JointKind::spring) continue;
+        if (joint.kind == JointKind::slider || joint.kind == JointKind::spring || joint.other)
+            continue;
         const Vec3 end_b = joint.kind == JointKind::rod ? joint.anchor_b : joint.anchor;
         pairs_.push_back({{joint.a, apply_inverse(pose_of(scene, joint.a), joint.anchor)},
                           {joint.b, apply_inverse(pose_of(scene, joint.b), end_b)},

@@ -15,7 +15,8 @@ namespace jostle::bench::accuracy {
 
 using analysis::Rms;
 
-// Distance between the ends of joints at the anchors; sliders and springs are ignored.
+// Distance between the ends of joints at the anchors; sliders, springs and the joints of
+// Jostle alone are ignored.
 class GapMeter {
 public:
     explicit GapMeter(const Scene& scene);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "bench/accuracy/accuracy_bodies.h"
+#include "bench/accuracy/experiment_list.h"
 #include "bench/accuracy/run_row.h"
 #include "bench/accuracy/stress_test.h"
 

@@ -46,6 +46,11 @@ struct GeomText {
         return "type=\"cylinder\" quat=\"0.70710678118654757 0.70710678118654757 0 0\" size=" +
                triple({c.radius, c.half_length, 0});
     }
+    std::string operator()(const physics::Capsule& c) const {
+        return "type=\"capsule\" quat=\"0.70710678118654757 0.70710678118654757 0 0\" size=" +
+               triple({c.radius, c.half_length, 0});
+    }
+    std::string operator()(const OtherShape&) const { return {}; }
     std::string operator()(const physics::Plane&) const {
         return "type=\"plane\" size=\"100 100 1\"";
     }

@@ -41,15 +41,20 @@ struct GeomMaker {
     dGeomID operator()(const physics::Cylinder& cylinder) const {
         return dCreateCylinder(space, cylinder.radius, 2 * cylinder.half_length);
     }
+    dGeomID operator()(const physics::Capsule& c) const {
+        return dCreateCapsule(space, c.radius, 2 * c.half_length);
+    }
+    dGeomID operator()(const OtherShape&) const { return nullptr; }
     dGeomID operator()(const physics::Plane& plane) const {
         return dCreatePlane(space, plane.normal.x, plane.normal.y, plane.normal.z, 0);
     }
     dGeomID operator()(const HullPoints&) const { return nullptr; }
 };
 
-// ODE's cylinders are along z, those of the benchmark along y.
+// ODE's cylinders and capsules are along z, those of the benchmark along y.
 Quat geom_rotation(const Body& body) {
-    return std::holds_alternative<physics::Cylinder>(*body.shape)
+    return std::holds_alternative<physics::Cylinder>(*body.shape) ||
+                   std::holds_alternative<physics::Capsule>(*body.shape)
                ? physics::from_axis_angle({1, 0, 0}, -0.5 * physics::pi)
                : Quat{};
 }

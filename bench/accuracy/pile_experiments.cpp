@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "bench/accuracy/accuracy_bodies.h"
+#include "bench/accuracy/experiment_list.h"
 #include "bench/accuracy/meters.h"
 
 namespace jostle::bench::accuracy {
@@ -182,20 +183,23 @@ std::vector<Experiment> pile_experiments() {
          .measures = "mean of the deepest overlap / radius; the deepest",
          .tolerances = {0.1, 0.03, 0.01},
          .max_hz = 480,
-         .start = settling},
+         .start = settling,
+         .short_max_hz = 120},
         {.name = "c13",
          .about = "216 elastic balls fall from 1 m, 3 s",
          .measures = "mean error of the energy; the largest",
          .tolerances = {0.1, 0.01, 0.001},
          .max_hz = 480,
-         .start = elastic},
+         .start = elastic,
+         .short_max_hz = 120},
         {.name = "c14",
          .about = "64 boxes fly into each other, 3 s",
          .measures = "largest drift of angular momentum; of linear momentum",
          .tolerances = {0.01, 1e-6, 1e-12},
          .phases = 16,
          .max_hz = 960,
-         .start = implosion},
+         .start = implosion,
+         .short_max_hz = 120},
     };
 }
 

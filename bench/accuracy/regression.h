@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The short accuracy benchmark, for tests: Jostle only, in its default mode, on all scenes that
-// take seconds. Its errors are bit-identical on every machine, so they are compared with a file: an
-// error that grows by more than a third is a regression.
+// The short accuracy benchmark, for tests: Jostle only, on all scenes that take seconds, in its
+// default mode and with iterative joints. Its errors are bit-identical on every machine, so they
+// are compared with a file: an error that grows by more than a third is a regression. The rules of
+// faults.h hold as well.
 #pragma once
 
 #include <string>
@@ -32,9 +33,13 @@ struct RegressionChange {
 std::vector<RegressionChange> changes_between(const std::vector<Row>& before,
                                               const std::vector<Row>& after, bool all);
 
-// Runs the scenes and compares them with the file, or rewrites it. Exit status: 0 no regression, 1
-// regressions, or the file cannot be read or written. Without a file it only prints the rows.
-int run_regression(const std::vector<const Experiment*>& experiments, const std::string& file,
-                   bool update);
+// Runs the scenes, compares them with the file and checks the rules, or rewrites both files.
+struct RegressionFiles {
+    std::string rows;          // empty: the rows are printed
+    std::string known_faults;  // empty: none are known
+    bool update = false;
+};
+// Exit status: 0 no regression and no fault, 1 otherwise, or a file cannot be read or written.
+int run_regression(const std::vector<const Experiment*>& experiments, const RegressionFiles& files);
 
 }  // namespace jostle::bench::accuracy

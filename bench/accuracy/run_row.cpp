@@ -11,6 +11,8 @@
 #include <stdexcept>
 #include <utility>
 
+#include "bench/accuracy/accuracy_bodies.h"
+#include "bench/accuracy/accuracy_engine_kinds.h"
 #include "bench/measure.h"
 #include "bench/processes/program.h"
 #include "bench/result_file.h"
@@ -24,8 +26,16 @@ constexpr double long_run = 0.4;        // s: longer runs are timed once
 constexpr int repetitions = 3;
 constexpr double longest = 20;  // s of CPU time: limit for one start
 
-long steps_of(const ExperimentRun& start, double rate_hz) {
-    return std::llround(start.seconds * rate_hz);
+// The lengths of all steps in s.
+std::vector<double> steps_of(const ExperimentRun& start, double rate_hz) {
+    const double dt = 1 / rate_hz;
+    if (!start.step_length)
+        return std::vector<double>(static_cast<std::size_t>(std::llround(start.seconds * rate_hz)),
+                                   dt);
+    std::vector<double> steps;
+    for (double t = 0; t < start.seconds - 1e-9; t += steps.back())
+        steps.push_back(start.step_length(static_cast<long>(steps.size()), dt));
+    return steps;
 }
 
 // Number of steps until damping ends; more than all steps if it never does.
@@ -46,11 +56,14 @@ double time_steps(const ExperimentRun& start, const EngineKind& kind, const std:
                   double rate_hz) {
     const auto engine = kind.make();
     if (!engine->build(start.scene, mode)) return 0;
-    const long steps = steps_of(start, rate_hz), damped = damped_steps(start, rate_hz);
-    const double dt = 1 / rate_hz, before = cpu_seconds();
-    for (long k = 0; k < steps; k++) {
-        if (k == damped) engine->set_damping(0);
-        engine->step(dt);
+    const std::vector<double> steps = steps_of(start, rate_hz);
+    const long damped = damped_steps(start, rate_hz);
+    const double before = cpu_seconds();
+    double t = 0;
+    for (std::size_t k = 0; k < steps.size(); t += steps[k++]) {
+        if (static_cast<long>(k) == damped) engine->set_damping(0);
+        if (start.drive) start.drive(t, steps[k], *engine);
+        engine->step(steps[k]);
     }
     return cpu_seconds() - before;
 }
@@ -82,16 +95,24 @@ double distance_from_finest(const Experiment& experiment, const EngineKind& kind
 
 Result<Outcome> run_once(ExperimentRun start, const EngineKind& kind, const std::string& mode,
                          double rate_hz) {
+    if (kind.make != make_jostle_engine)
+        if (const std::string feature = feature_of_jostle_only(start.scene); !feature.empty())
+            return Error{.message = feature + " are not implemented for the peers"};
     const auto engine = kind.make();
     if (auto status = engine->build(start.scene, mode); !status) return status.error();
-    const long steps = steps_of(start, rate_hz), damped = damped_steps(start, rate_hz);
+    const std::vector<double> steps = steps_of(start, rate_hz);
+    const long damped = damped_steps(start, rate_hz);
     const double began = cpu_seconds();
-    for (long k = 0; k < steps; k++) {
-        if (k == damped) engine->set_damping(0);
-        engine->step(1 / rate_hz);
+    double elapsed = 0;  // of varying steps
+    for (std::size_t k = 0; k < steps.size(); k++) {
+        if (static_cast<long>(k) == damped) engine->set_damping(0);
+        if (start.drive) start.drive(elapsed, steps[k], *engine);
+        engine->step(steps[k]);
+        elapsed += steps[k];
         if (auto reason = failure(start.scene, *engine); !reason.empty())
             return Outcome{.failed = reason};
-        start.meter->sample(static_cast<double>(k + 1) / rate_hz, *engine);
+        start.meter->sample(start.step_length ? elapsed : static_cast<double>(k + 1) / rate_hz,
+                            *engine);
         if (cpu_seconds() - began > longest) return Outcome{.failed = takes_too_long};
     }
     Outcome outcome{.errors = start.meter->errors()};

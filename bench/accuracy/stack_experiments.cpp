@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "bench/accuracy/accuracy_bodies.h"
+#include "bench/accuracy/experiment_list.h"
 #include "bench/accuracy/meters.h"
 #include "bench/accuracy/stack_scenes.h"
 

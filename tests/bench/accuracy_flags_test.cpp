@@ -15,6 +15,7 @@ namespace {
 
 namespace fs = std::filesystem;
 using testing::HasSubstr;
+using testing::Not;
 
 class AccuracyFlags : public testing::Test {
 protected:
@@ -58,7 +59,8 @@ TEST_F(AccuracyFlags, accuracy_writes_rows_scenes_and_work_table) {
     EXPECT_GT(json["rows"][0]["cpu_us_per_second"], 0);
     EXPECT_EQ(json["work"].size(), 6u);  // three tolerances per scene
     EXPECT_THAT(read("a.csv"), HasSubstr("j1,jostle,sub1,60,"));
-    EXPECT_THAT(read("scenes.csv"), HasSubstr("scene,description,error,second_error,tolerances\n"));
+    EXPECT_THAT(read("scenes.csv"),
+                HasSubstr("scene,family,description,error,second_error,tolerances\n"));
     EXPECT_THAT(read("scenes.csv"),
                 HasSubstr("\"position error at the end, m\",none,0.1 0.01 1e-06\n"));
 }
@@ -86,13 +88,15 @@ TEST_F(AccuracyFlags, regression_run_stores_results_and_detects_regressions) {
     std::ofstream(file("short.json")) << R"({"rows": []})";
     ASSERT_EQ(run("accuracy --regression --scene f1,j1" + against + " --update"), 0) << output();
     const auto json = nlohmann::json::parse(read("short.json"));
-    ASSERT_EQ(json["rows"].size(), 6u);  // two scenes, three rates
+    ASSERT_EQ(json["rows"].size(), 12u);  // two scenes, four rates; j1 iteratively as well
+    EXPECT_FALSE(json["rows"][4].contains("mode"));
+    EXPECT_EQ(json["rows"][8]["mode"], "iterative");
     EXPECT_FALSE(json["rows"][0].contains("cpu_us_per_second"));
     EXPECT_EQ(run("accuracy --regression --scene f1,j1" + against), 0) << output();
     EXPECT_THAT(output(), HasSubstr("0 values worse"));
 
     auto forged = json;  // as if j1 had been 100 times better at 60 Hz
-    forged["rows"][4]["error"] = json["rows"][4]["error"].get<double>() / 100;
+    forged["rows"][5]["error"] = json["rows"][5]["error"].get<double>() / 100;
     std::ofstream(file("short.json")) << forged;
     EXPECT_EQ(run("accuracy --regression --scene j1" + against), 1);
     EXPECT_THAT(output(), HasSubstr("WORSE: j1 at 60 Hz: error"));
@@ -102,6 +106,28 @@ TEST_F(AccuracyFlags, regression_run_stores_results_and_detects_regressions) {
     // --update with some of the scenes does not change the other rows.
     ASSERT_EQ(run("accuracy --regression --scene j1" + against + " --update"), 0) << output();
     EXPECT_EQ(nlohmann::json::parse(read("short.json"))["rows"], json["rows"]);
+}
+
+TEST_F(AccuracyFlags, draws_members_of_families) {
+    const std::string two = "accuracy --regression --scene gate,c8 --draw 2 --seed ";
+    ASSERT_EQ(run(two + "5"), 0) << output();
+    EXPECT_THAT(output(), HasSubstr("gate-s5-2"));
+    EXPECT_THAT(output(), Not(HasSubstr("c8"))) << "belongs to no family";
+    EXPECT_THAT(output(), HasSubstr("0 faults, 0 known faults"));
+    const std::string first = output();
+    ASSERT_EQ(run(two + "5"), 0);
+    EXPECT_EQ(output(), first);
+    ASSERT_EQ(run("accuracy --scene fall --draw 1 --rates 60 --peers none --modes default"), 0);
+    EXPECT_THAT(output(), HasSubstr("fall-s2-1: a box in free fall: freedom"));
+    EXPECT_EQ(run("accuracy --scene gate --draw 0"), 2);
+    EXPECT_EQ(run("accuracy --scene gate --seed 3"), 2);
+    EXPECT_EQ(run(two + "5 --compare-to " + file("short.json")), 2);
+}
+
+TEST_F(AccuracyFlags, known_faults_file_must_be_readable) {
+    EXPECT_EQ(run("accuracy --regression --scene f1 --known-faults " + file("none.json")), 1);
+    EXPECT_THAT(output(), HasSubstr("none.json"));
+    EXPECT_EQ(run("accuracy --known-faults x.json"), 2);
 }
 
 TEST_F(AccuracyFlags, regression_run_excludes_other_output_flags) {

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "bench/accuracy/accuracy_engine_kinds.h"
+#include "bench/accuracy/experiment_list.h"
 #include "bench/accuracy/run_row.h"
 #include "bench/accuracy/stress_test.h"
 

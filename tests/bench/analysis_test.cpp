@@ -11,6 +11,7 @@
 #include <stdexcept>
 
 #include "bench/accuracy/accuracy_report.h"
+#include "bench/accuracy/experiment_list.h"
 
 namespace {
 
@@ -74,6 +75,9 @@ TEST(Score, is_the_geometric_mean_and_a_missing_result_counts_0_01) {
     EXPECT_DOUBLE_EQ(score.comparisons[1].ratio, 2);
     EXPECT_DOUBLE_EQ(score.comparisons[2].ratio, 0.01);
     EXPECT_NEAR(score.mean, std::cbrt(0.4 * 2 * 0.01), 1e-12);
+    EXPECT_EQ(score.both_count, 2);
+    EXPECT_NEAR(score.both_mean, std::sqrt(0.4 * 2), 1e-12);
+    EXPECT_TRUE(score_of(synthetic_rows(), "jostle", Scope::families).comparisons.empty());
     const std::string text = score_report(score);
     EXPECT_NE(text.find("Behind in 2, below 1/2 in 2"), std::string::npos);
 }
@@ -125,8 +129,8 @@ TEST(Rows, round_trip_through_csv) {
 
 TEST(ScenesCsv, has_measures_and_tolerances) {
     EXPECT_EQ(scenes_csv({find_experiment("f1")}),
-              "scene,description,error,second_error,tolerances\n"
-              "f1," +
+              "scene,family,description,error,second_error,tolerances\n"
+              "f1,," +
                   find_experiment("f1")->about +
                   ",\"position error at the end, m\",none,0.1 0.01 1e-06\n");
 }

@@ -9,6 +9,7 @@
 #include <cmath>
 
 #include "bench/accuracy/accuracy_bodies.h"
+#include "bench/accuracy/experiment_list.h"
 
 namespace {
 

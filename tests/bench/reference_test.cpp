@@ -10,6 +10,7 @@
 
 #include "bench/accuracy/accuracy_bodies.h"
 #include "bench/accuracy/experiment.h"
+#include "bench/accuracy/experiment_list.h"
 #include "jostle/physics/geometry.h"
 
 namespace {

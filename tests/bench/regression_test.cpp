@@ -2,6 +2,7 @@
 //
 // The regressions that the short accuracy run reports, with synthetic rows.
 #include "bench/accuracy/regression.h"
+#include "bench/accuracy/experiment_list.h"
 
 #include <gtest/gtest.h>
 

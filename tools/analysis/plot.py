@@ -16,8 +16,10 @@ EXIT_WITHOUT_MATPLOTLIB = 3
 EPILOG = """\
 kinds:
   accuracy     work-precision diagrams of `jostle-bench accuracy --csv`: CPU time against error, one
-               panel per scene. With the file of --scenes-csv, axes state the measure of the error
-               and dotted lines mark the tolerances. With --scene, one diagram with all modes.
+               panel per scene or family. Small markers are all rows, lines join the Pareto-optimal
+               rows of each engine, and "x3" at the upper edge counts failed rows. With the file of
+               --scenes-csv, axes state the measure of the error and dotted lines mark the
+               tolerances. With --scene, one diagram with all modes.
   speed        time and error of `jostle-bench speed --csv`: bars per scene and engine
   growth       time and memory of `jostle-bench speed --growth N,... --csv` by number of bodies
   integrators  work-precision diagrams of `jostle-bench integrators --csv`, one panel per field
@@ -201,23 +203,37 @@ def read_accuracy(paths):
                    lambda row: row.get("error") not in ("", "blown", None))
     for row in rows:
         row["error"] = max(row["error"], LEAST_ERROR)
-    return rows, scenes
+    failed = [row for path in results for row in read_rows(path) if row.get("error") == "blown" or row.get("blown")]
+    return rows, scenes, failed
 
 
 def draw_scene(axes, rows, scene, styles, key):
-    """Pareto sets of the series of one scene, and rings about the overall Pareto set."""
+    """All rows of one scene, the Pareto sets of its series, and rings about the overall Pareto set. All rows of a family."""
+    fronts = len(set(row["scene"] for row in rows)) == 1
     for name, style in styles.items():
         points = [(row["cpu_us_per_second"], row["error"]) for row in rows if row[key] == name]
         if points:
+            axes.plot(*zip(*points), markersize=2.2, alpha=0.45, **{**style, "linestyle": "none"})
+        if points and fronts:
             axes.plot(*zip(*pareto_set(points)), markersize=4.5, linewidth=1.2, **style)
-    draw_rings(axes, pareto_set((row["cpu_us_per_second"], row["error"]) for row in rows))
+    if fronts:
+        draw_rings(axes, pareto_set((row["cpu_us_per_second"], row["error"]) for row in rows))
     for tolerance in scene.get("tolerances", "").split():
         axes.axhline(float(tolerance), color="#666666", linestyle=":", linewidth=0.7)
     log_log(axes)
 
 
+def draw_failed(axes, rows, styles):
+    """The number of failed rows of each engine, at the upper edge."""
+    for k, engine in enumerate(styles):
+        count = sum(row["engine"] == engine for row in rows)
+        if count:
+            axes.text(0.02 + 0.16 * k, 0.97, f"x{count}", transform=axes.transAxes, color=styles[engine]["color"], fontsize=7,
+                      va="top")
+
+
 def accuracy(plt, options):
-    rows, scenes = read_accuracy(options.files)
+    rows, scenes, failed = read_accuracy(options.files)
     names = in_order(row["scene"] for row in rows)
     if options.scene and options.scene not in names:
         raise Failure(f"--scene {options.scene}: no successful rows; must be one of {', '.join(names)}")
@@ -225,15 +241,21 @@ def accuracy(plt, options):
         return accuracy_of_scene(plt, rows, options.scene or names[0], scenes)
     engines = in_order(row["engine"] for row in rows)
     styles = styles_of(engines)
-    figure, panels = subplots(plt, len(names), PANEL_COLUMNS, 3.1, 2.7)
-    for axes, name in zip(panels, names):
-        draw_scene(axes, [row for row in rows if row["scene"] == name], scenes.get(name, {}), styles, "engine")
+    # The members of a family share a panel.
+    families = {name: scenes.get(name, {}).get("family") or name for name in names}
+    members = {family: [name for name in names if families[name] == family] for family in in_order(families.values())}
+    scenes.update((family, scenes[group[0]]) for family, group in members.items() if group[0] in scenes)
+    figure, panels = subplots(plt, len(members), PANEL_COLUMNS, 3.1, 2.7)
+    for axes, (name, group) in zip(panels, members.items()):
+        draw_scene(axes, [row for row in rows if row["scene"] in group], scenes.get(name, {}), styles, "engine")
+        draw_failed(axes, [row for row in failed if row["scene"] in group], styles)
         axes.set_title(name, loc="left", fontweight="bold", fontsize=10)
         axes.set_ylabel(scenes.get(name, {}).get("error", "error (unit of the scene)").replace(" / ", "\n/ "), fontsize=7)
         axes.tick_params(labelsize=7)
         axes.minorticks_off()
     figure.supxlabel(US_PER_SECOND)
-    return figure, [*handles_of(styles), ring_handle()], "Work-precision diagrams (Pareto-optimal runs of each engine)"
+    title = "Work-precision diagrams (all runs; lines join the Pareto-optimal ones of each engine; x3: three failed)"
+    return figure, [*handles_of(styles), ring_handle()], title
 
 
 def accuracy_of_scene(plt, rows, name, scenes):

@@ -25,7 +25,9 @@ constexpr double chaotic_growth = 100;       // of a perturbation
 constexpr double order_min = 0.5;  // of the reference error: below it, refinement does not help
 // errors above this multiple of the reference error belong to the run
 constexpr double reference_error_margin = 4;
-constexpr double extent_min = 1e-3;  // m: below it, the motion does not define a scale
+constexpr double tie_ratio = 1.15;       // of times
+constexpr double worse_ratio = 4.0 / 3;  // of errors
+constexpr double extent_min = 1e-3;      // m: below it, the motion does not define a scale
 
 std::string number(double value) {
     char text[32];
@@ -221,6 +223,19 @@ Status perturbation(Runs& runs, const std::vector<Runs::Run>& ladder,
     return {};
 }
 
+// Times scatter, so settings that do not affect the result would be chosen at random.
+bool ties(const ConvergenceRow& row, const ConvergenceRow& cheapest) {
+    return row.cpu_us_per_second <= tie_ratio * cheapest.cpu_us_per_second ||
+           (row.setting.hz == cheapest.setting.hz && row.error == cheapest.error);
+}
+
+// Fewer sub-steps, then a lower rate.
+bool is_simpler(const ConvergenceRow& row, const ConvergenceRow& other) {
+    return row.setting.substeps != other.setting.substeps
+               ? row.setting.substeps < other.setting.substeps
+               : row.setting.hz < other.setting.hz;
+}
+
 Verdict verdict_of(const Convergence& found) {
     if (found.reference_error <= found.tolerances.back()) return Verdict::converged;
     const bool closer = found.reference_order && *found.reference_order > order_min;
@@ -228,6 +243,18 @@ Verdict verdict_of(const Convergence& found) {
 }
 
 }  // namespace
+
+void mark_worse(std::vector<ConvergenceRow>& rows) {
+    for (ConvergenceRow& row : rows) {
+        const ConvergenceRow* best = nullptr;
+        for (const ConvergenceRow& other : rows)
+            if (other.failure.empty() && other.setting.substeps == row.setting.substeps &&
+                other.setting.hz < row.setting.hz && (!best || other.error < best->error))
+                best = &other;
+        if (best && row.failure.empty() && row.error > worse_ratio * best->error)
+            row.worse_than_hz = best->setting.hz;
+    }
+}
 
 std::optional<ConvergenceRow> Convergence::cheapest(double tolerance) const {
     if (reference_error > tolerance) return {};
@@ -237,7 +264,13 @@ std::optional<ConvergenceRow> Convergence::cheapest(double tolerance) const {
                         row.failure.empty() ? row.error : std::numeric_limits<double>::infinity()});
     const auto best = analysis::least_work(runs, tolerance);
     if (!best) return {};
-    return rows[*best];
+    const ConvergenceRow& cheapest_row = rows[*best];
+    const ConvergenceRow* chosen = &cheapest_row;
+    for (std::size_t k = 0; k < rows.size(); k++)
+        if (runs[k].error <= tolerance && ties(rows[k], cheapest_row) &&
+            is_simpler(rows[k], *chosen))
+            chosen = &rows[k];
+    return *chosen;
 }
 
 Result<Convergence> converge(const scenes::SceneDescription& scene,
@@ -286,6 +319,7 @@ Result<Convergence> converge(const scenes::SceneDescription& scene,
     for (ConvergenceRow& row : found.rows) row.error = std::max(row.error, found.reference_error);
     found.rows.back().end_error = found.reference_error;
     add_orders(found.rows, found.reference_error);
+    mark_worse(found.rows);
     return found;
 }
 

@@ -36,6 +36,9 @@ struct ConvergenceRow {
     double angle = 0;      // rad, likewise
     double agreement_seconds = 0;  // time until the error exceeds the largest tolerance
     std::optional<double> order;   // from the next lower rate with the same sub-steps to this one
+    // A lower rate with the same sub-steps whose error is less than 3/4 of this one, Hz: the one
+    // with the least error.
+    std::optional<double> worse_than_hz;
     double cpu_us_per_second = 0;  // of the thread, per simulated second
     std::string failure;           // why the run failed; empty: it did not
 };
@@ -62,10 +65,15 @@ struct Convergence {
     std::string skipped_runs;               // runs skipped because of the budget; empty: none
     std::vector<ConvergenceRow> rows;       // sorted by sub-steps, then rate
 
-    // The cheapest row whose error is at most the tolerance. Nothing if the two finest runs differ
-    // by more, because errors are then unknown.
+    // The cheapest row whose error is at most the tolerance. Of rows that tie, which means that
+    // their times are within 15 %, or their rates and errors are equal, the one with the fewest
+    // sub-steps. Nothing if the two finest runs differ by more, because errors are then unknown.
     std::optional<ConvergenceRow> cheapest(double tolerance) const;
 };
+
+// Sets worse_than_hz of the rows that a lower rate with the same sub-steps beats by more than a
+// third.
+void mark_worse(std::vector<ConvergenceRow>& rows);
 
 // Receives the name of the next run, for a progress line.
 using ProgressCallback = std::function<void(const std::string&)>;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "tools/sim/report.h"
 
+#include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
 
@@ -36,6 +37,8 @@ std::string table(const Convergence& found) {
                             row.order ? format_text("%.2f", *row.order).c_str() : "",
                             row.agreement_seconds, row.cpu_us_per_second / s.hz,
                             row.cpu_us_per_second, s == found.finest ? "  finest" : "");
+        if (row.worse_than_hz)
+            text.insert(text.size() - 1, format_text("  worse than %g Hz", *row.worse_than_hz));
     }
     return text;
 }
@@ -94,6 +97,13 @@ std::string to_text(const Convergence& found) {
         "finest runs, are not reported. same to: time until the error exceeds %g.\n\n",
         found.scale, found.reference_error, found.tolerances.front());
     text += table(found) + "\n" + verdict(found);
+    const auto worse = std::count_if(found.rows.begin(), found.rows.end(),
+                                     [](const ConvergenceRow& row) { return !!row.worse_than_hz; });
+    if (worse > 0)
+        text += format_text(
+            "%td %s by more than a third worse than at a lower rate: finer steps do not help "
+            "there.\n",
+            worse, worse == 1 ? "error is" : "errors are");
     if (!found.skipped_runs.empty())
         text += "Skipped because they would exceed --budget: " + found.skipped_runs + ".\n";
     text += "Cheapest setting for an error of at most\n";
@@ -117,6 +127,7 @@ std::string to_json(const Convergence& found) {
         line["angle_rad"] = row.angle;
         line["agrees_until_s"] = row.agreement_seconds;
         line["order"] = row.order ? json(*row.order) : json(nullptr);
+        line["worse_than_hz"] = row.worse_than_hz ? json(*row.worse_than_hz) : json(nullptr);
         line["cpu_us_per_second"] = row.cpu_us_per_second;
         rows.push_back(line);
     }

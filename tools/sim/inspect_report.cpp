@@ -39,10 +39,11 @@ std::string rows_table(const InspectedGroup& group) {
         const bool known = best != nullptr && k < best->x.size();
         const double least = known ? group.problem.lower_at(k, best->x) : row.lower;
         const double most = known ? group.problem.upper_at(k, best->x) : row.upper;
-        text += format_text("%4zu  %-*s %10.4g %10.3g %10.3g %10.3g %10.4g %9s %9s\n", k, name,
+        const char* mark = known && !best->converged ? "~" : " ";
+        text += format_text("%4zu  %-*s %10.4g %10.3g %10.3g %10.3g %10.4g%s%9s %9s\n", k, name,
                             group.problem.names[k].c_str(), group.problem.at(k, k), row.softness,
                             row.error, group.problem.rhs[k] + 0.0, known ? force(best->x[k]) : 0.0,
-                            bound(least / h).c_str(), bound(most / h).c_str());
+                            mark, bound(least / h).c_str(), bound(most / h).c_str());
     }
     if (group.problem.count > rows_shown)
         text += format_text("... and %zu more; --json has all of them\n",
@@ -53,6 +54,11 @@ std::string rows_table(const InspectedGroup& group) {
             "%s.\n"
             "error: position error in m or rad; of limits and contacts the remaining distance.\n",
             name_of(best->method));
+    if (best != nullptr && !best->converged)
+        text += format_text(
+            "~: not converged after %d iterations (residual %.1e): the force may be far from the\n"
+            "solution; increase --iterations.\n",
+            best->iterations(), best->residual);
     return text;
 }
 

@@ -139,6 +139,12 @@ std::string to_json(const Report& r) {
                  {"ms", r.worst_step_ms},
                  {"stage", stage_name(r.worst_stage)},
                  {"stage_ms", r.worst_stage_ms}};
+    nlohmann::ordered_json tolerance = nullptr;
+    if (r.tolerance)
+        tolerance = {{"tolerance_m", r.tolerance->tolerance},
+                     {"measured", r.tolerance->measured},
+                     {"islands_over", r.tolerance->islands_over},
+                     {"worst_m", r.tolerance->worst}};
     const nlohmann::ordered_json json = {
         {"scene", r.scene},
         {"hz", r.hz},
@@ -160,6 +166,7 @@ std::string to_json(const Report& r) {
         {"energy_joules", r.energy_joules},
         {"max_penetration_m", r.max_penetration_m},
         {"awake_bodies", r.awake_bodies},
+        {"error_tolerance", tolerance},
         {"stages", stages},
         {"stages_skipped", skipped}};
     return json.dump(2) + "\n";

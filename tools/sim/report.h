@@ -4,12 +4,14 @@
 #pragma once
 
 #include <array>
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "jostle/physics/physics.h"
 #include "tools/sim/converge.h"
 #include "tools/sim/inspect.h"
+#include "tools/sim/tolerance_check.h"
 
 namespace jostle::sim {
 
@@ -32,6 +34,7 @@ struct Report {
     double energy_joules = 0;      // kinetic + potential, zero at the origin
     double max_penetration_m = 0;  // at the end
     std::array<double, physics::stage_count> stage_ms_mean{};
+    std::optional<ToleranceVerdict> tolerance;  // of a world with an error tolerance
     // Why a stage was skipped in the last step, if it was skipped in every step; otherwise null.
     std::array<const char*, physics::stage_count> stage_skipped{};
 };

@@ -78,6 +78,21 @@ class Plot(unittest.TestCase):
         self.expect(image, [">j1<", ">f1<", "RMS position error, m", "µs per simulated second", ">jostle<", "Pareto-optimal"])
         self.assertNotIn(">ode<", image)  # its only row failed
 
+    def test_draws_all_rows_and_counts_failed_ones(self):
+        more = ACCURACY + "j1,bullet,si4,60,0.0045,0,95\nj1,jostle,sub1,60,blown,,\n"
+        few, all_rows = (self.draw("accuracy", self.file("a.csv", text)) for text in (ACCURACY, more))
+        self.assertEqual(all_rows.count("<use "), few.count("<use ") + 1)  # beaten by si10
+        self.assertIn(">x1<", all_rows)
+        self.assertNotIn(">x1<", few)
+
+    def test_members_of_a_family_share_a_panel(self):
+        rows = "".join(f"slide-{k},jostle,sub8,{hz},0.0{k},0,{hz}\n" for k in (1, 2) for hz in (30, 60))
+        scenes = ("scene,family,description,error,second_error,tolerances\n"
+                  "slide-1,slide,a box,path,none,0.1\nslide-2,slide,a hull,path,none,0.1\nj1,,a pendulum,position,none,0.1\n")
+        image = self.draw("accuracy", self.file("a.csv", ACCURACY + rows), self.file("s.csv", scenes))
+        self.expect(image, [">slide<", ">j1<", ">position<"])
+        self.assertNotIn(">slide-1<", image)
+
     def test_draws_all_modes_of_one_scene(self):
         image = self.draw("accuracy", self.file("a.csv", ACCURACY), self.file("s.csv", SCENES), options=("--scene", "j1"))
         self.expect(image, ["j1: a pendulum", "jostle sub8", "bullet si10"])

@@ -79,6 +79,14 @@ TEST_F(Sim, inspects_the_weight_of_a_stack) {
     EXPECT_EQ(static_cast<std::size_t>(std::count(csv.begin(), csv.end(), '\n')), lines);
 }
 
+TEST_F(Sim, marks_forces_that_have_not_converged) {
+    ASSERT_EQ(run("stack --inspect --at 120 --iterations 3"), 0) << output();
+    EXPECT_THAT(output(), HasSubstr("~: not converged after 3 iterations"));
+    EXPECT_THAT(output(), testing::ContainsRegex("box 0/ground normal.*[0-9]~"));
+    ASSERT_EQ(run(std::string(linkage) + " --inspect coupler --at 0"), 0) << output();
+    EXPECT_THAT(output(), testing::Not(HasSubstr("~")));
+}
+
 TEST_F(Sim, lists_all_groups_of_a_scene) {
     ASSERT_EQ(run("machines --inspect all --at 10 --json " + file("r.json")), 0) << output();
     EXPECT_THAT(output(), HasSubstr("Use a body, as in --inspect chassis"));

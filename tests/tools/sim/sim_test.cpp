@@ -90,6 +90,22 @@ TEST_F(Sim, reports_substeps_per_island) {
     EXPECT_NE(output().find("is not a number from 0 to 1000"), std::string::npos) << output();
 }
 
+// The chain of the scene swings; no number of sub-steps reaches a nanometre.
+TEST_F(Sim, reports_whether_the_error_tolerance_was_reached) {
+    ASSERT_EQ(run("machines --seconds 2 --error-tolerance 1 --json " + file("r.json")), 0);
+    EXPECT_NE(output().find("error tolerance 1 m: kept"), std::string::npos) << output();
+    EXPECT_EQ(report()["error_tolerance"]["islands_over"], 0);
+    ASSERT_EQ(run("machines --seconds 2 --error-tolerance 1e-9 --json " + file("r.json")), 0);
+    EXPECT_NE(output().find("error tolerance 1e-09 m: not kept: "), std::string::npos) << output();
+    EXPECT_GE(report()["error_tolerance"]["islands_over"], 1);
+    EXPECT_GT(report()["error_tolerance"]["worst_m"], 1e-9);
+    ASSERT_EQ(run("free_space --seconds 0.1 --error-tolerance 1e-3"), 0);
+    EXPECT_NE(output().find("not measured: no island has contacts or joints"), std::string::npos);
+    ASSERT_EQ(run("machines --seconds 0.1 --json " + file("r.json")), 0);
+    EXPECT_EQ(output().find("error tolerance"), std::string::npos);
+    EXPECT_TRUE(report()["error_tolerance"].is_null());
+}
+
 TEST_F(Sim, traces_one_row_per_body_and_tick) {
     ASSERT_EQ(run("stack --seconds 0.1 --trace " + file("t.csv")), 0) << output();
     std::istringstream lines(read(file("t.csv")));
@@ -135,6 +151,22 @@ TEST_F(Sim, tumbling_plank_converges_with_second_order) {
     EXPECT_LE(cheapest[0]["cpu_us_per_second"], cheapest[1]["cpu_us_per_second"]);
     EXPECT_NE(output().find("The two finest runs agree"), std::string::npos);
     EXPECT_NE(output().find("--hz 30"), std::string::npos) << output();
+}
+
+// Sub-steps do not affect a falling ball, so their times differ by noise alone.
+TEST_F(Sim, convergence_prefers_the_fewest_sub_steps_of_equal_settings) {
+    std::ofstream(file("ball.json")) << R"({ "name": "ball", "bodies": [
+        { "name": "ball", "may_sleep": false, "linear_velocity": { "x": 3 },
+          "shapes": [ { "sphere": { "radius": 0.1 } } ] } ] })";
+    for (int k = 0; k < 3; k++) {
+        ASSERT_EQ(run(file("ball.json") +
+                      " --converge --seconds 2 --rates 30,60 --substep-counts 1,2,4,8,16 --json " +
+                      file("r.json")),
+                  0)
+            << output();
+        EXPECT_EQ(report()["cheapest"][0]["substeps"], 1) << output();
+    }
+    for (const auto& row : report()["rows"]) EXPECT_TRUE(row["worse_than_hz"].is_null());
 }
 
 // A rod of 1 m on a hinge, released horizontally.

@@ -1,5 +1,10 @@
 // SPDX-License-Identifier: MIT
-#include "bench/accuracy/experiment.h"
+#include "bench/accuracy/experiment_list.h"
+
+#include <deque>
+#include <utility>
+
+#include "bench/accuracy/row_family.h"
 
 namespace jostle::bench::accuracy {
 namespace {
@@ -11,7 +16,14 @@ std::vector<Experiment> in_order() {
                                machine_experiments(), friction_experiments(), impact_experiments(),
                                stack_experiments(), pile_experiments(), chaos_experiments()})
         all.insert(all.end(), family.begin(), family.end());
+    for (const RowFamily& family : all_families())
+        for (Experiment& member : members_of(family)) all.push_back(std::move(member));
     return all;
+}
+
+std::deque<Experiment>& added_experiments() {
+    static std::deque<Experiment> added;
+    return added;
 }
 
 }  // namespace
@@ -21,8 +33,15 @@ std::span<const Experiment> all_experiments() {
     return all;
 }
 
+const Experiment* add_experiment(Experiment experiment) {
+    if (const Experiment* found = find_experiment(experiment.name)) return found;
+    return &added_experiments().emplace_back(std::move(experiment));
+}
+
 const Experiment* find_experiment(std::string_view name) {
     for (const Experiment& experiment : all_experiments())
+        if (experiment.name == name) return &experiment;
+    for (const Experiment& experiment : added_experiments())
         if (experiment.name == name) return &experiment;
     return nullptr;
 }

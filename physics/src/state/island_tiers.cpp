@@ -188,7 +188,7 @@ void match_sets(ContactGraph& stores, JointStore& joints, std::uint32_t a, std::
                        (is_usual(tier_a) && is_usual(tier_b));
     const bool a_yields = alike ? ia.bodies < ib.bodies : tier_a < tier_b;
     ColourSetKey to = a_yields ? ib.colour_set : ia.colour_set;
-    if (controls_error(stores.def)) to.batch = std::max(ia.colour_set.batch, ib.colour_set.batch);
+    if (batches_differ(stores)) to.batch = std::max(ia.colour_set.batch, ib.colour_set.batch);
     ASSERT(to.tier != SolverTier::asleep);
     for (const std::uint32_t island : {a, b})
         if (stores.islands.islands[island].colour_set != to)

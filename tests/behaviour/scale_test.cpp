@@ -185,5 +185,61 @@ TEST(Scale, overlapping_bodies_separate_at_any_scale) {
     }
 }
 
+// --- at the usual rate ---
+
+struct Small {
+    double size, gravity;
+
+    std::string name() const {
+        return std::to_string(size) + " m at " + std::to_string(gravity) + " m/s^2";
+    }
+};
+constexpr Small smalls[] = {{0.002, 9.81}, {0.01, 9.81}, {0.1, 981}, {1, 981}};
+
+// Stacks of ten fell within half a second at 60 Hz; dice bounced through the floor at 100 g.
+TEST(SmallBodies, stacks_of_ten_stand_at_60_hz) {
+    for (const Small& small : smalls) {
+        World world = make_world({.gravity = {0, -small.gravity, 0}, .sleeping = false});
+        add_floor(world);
+        const auto boxes = add_stack(world, small.size, {.5, .5, .5}, 10);
+        std::vector<Vec3> places;
+        for (const BodyId box : boxes) places.push_back(position_of(world, box));
+        run(world, 10);
+        for (std::size_t i = 0; i < boxes.size(); i++)
+            EXPECT_LT(length(position_of(world, boxes[i]) - places[i]), 0.04 * small.size)
+                << small.name() << ", box " << i;
+    }
+}
+
+TEST(SmallBodies, thrown_dice_come_to_rest_on_a_face) {
+    for (const Small& small : smalls)
+        for (const double restitution : {0.0, 0.3, 0.6}) {
+            World world = make_world({.gravity = {0, -small.gravity, 0}});
+            add_floor(world, 0.4, restitution);
+            Random random(11);
+            const double unit = square_root(small.size * small.gravity);  // m/s
+            std::vector<BodyId> dice;
+            for (int i = 0; i < 16; i++)
+                dice.push_back(add(
+                    world,
+                    {.geometry = Box{Vec3{.5, .5, .5} * small.size},
+                     .position = Vec3{4.0 * (i % 4), random.in(3, 7), 4.0 * (i / 4)} * small.size,
+                     .rotation = random.rotation(),
+                     .velocity = random.vector(3) * unit,
+                     .spin = random.vector(4) * (unit / small.size),
+                     .friction = 0.4,
+                     .restitution = restitution}));
+            run(world, 5);
+            for (const BodyId die : dice) {
+                const BodyState state = state_of(world, die);
+                const Mat3 axes = to_matrix(state.pose.rotation);
+                const double upright =
+                    maximum(absolute(axes.x.y), maximum(absolute(axes.y.y), absolute(axes.z.y)));
+                EXPECT_GT(upright, 0.9999) << small.name() << ", restitution " << restitution;
+                EXPECT_NEAR(state.pose.position.y / small.size, 0.5, 0.01) << small.name();
+            }
+        }
+}
+
 }  // namespace
 }  // namespace jostle::test

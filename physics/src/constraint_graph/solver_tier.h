@@ -44,10 +44,14 @@ inline constexpr std::size_t index_of(SolverTier tier) {
 // The islands of a tier are distributed over this many batches, each island in one batch. Threads
 // solve batches in parallel without waiting for each other. In a larger island they share the
 // colours. In a world with a tolerance a batch is a sub-step level: its islands take
-// substeps_per_level sub-steps (choose_substep_levels in stages/islands/island_stages.h).
+// substeps_per_level sub-steps (choose_substep_levels in stages/islands/island_stages.h). In a
+// world with small bodies or high gravity a batch is a size level: its islands take
+// substeps_per_size times the sub-steps (choose_size_levels).
 inline constexpr int batch_count = 4;
 inline constexpr std::array<int, batch_count> substeps_per_level = {2, 6, 16, 48};
 inline constexpr std::uint8_t initial_substep_level = 2;  // for an island without history
+inline constexpr std::array<int, batch_count> substeps_per_size = {1, 3, 8, 24};
+inline constexpr int max_substeps_by_size = 4 * limits::max_substeps;
 
 // Identifies a colour set: one per tier and batch, and one for contacts that sleep in place.
 struct ColourSetKey {
@@ -82,12 +86,16 @@ inline bool controls_error(const WorldDef& world) {
 // higher: a stack with too few sub-steps sways with growing amplitude, and comparing two steps does
 // not reveal that in advance (six sub-steps hold 33 layers; see prepare_islands about walls).
 // `halved`: half the sub-steps, but at least two. It does not apply to slender, tall or heavy
-// islands, which need them to stand, nor with a tolerance.
-inline int substeps_of(ColourSetKey set, const WorldDef& world, bool halved = false) {
+// islands, which need them to stand, nor with a tolerance. `by_size`: the batch is a size level.
+inline int substeps_of(ColourSetKey set, const WorldDef& world, bool halved = false,
+                       bool by_size = false) {
     if (!controls_error(world)) {
         const int all = substeps_of(set.tier, world);
         const bool less = halved && set.tier < SolverTier::slender;
-        return less ? std::min(all, std::max(2, (all + 1) / 2)) : all;
+        const int some = less ? std::min(all, std::max(2, (all + 1) / 2)) : all;
+        return by_size ? std::max(some, std::min(some * substeps_per_size[set.batch],
+                                                 max_substeps_by_size))
+                       : some;
     }
     ASSERT(set.tier != SolverTier::asleep && set.batch < batch_count);
     constexpr std::array<int, tier_count + 1> times = {1, 1, 1, 3, 8, 4, 1};

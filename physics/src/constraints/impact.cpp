@@ -124,14 +124,14 @@ private:
 }  // namespace
 
 HardestPoint resolve_impact(ImpactBody& a, ImpactBody& b, std::span<const ImpactPoint> points,
-                            double restitution, double friction) {
+                            double restitution, double friction, double bounce_speed) {
     Impulses impulses(a, b, points);
     ASSERT(restitution >= 0 && restitution <= 1 && friction >= 0);
     std::vector<Load> loads(points.size());
     HardestPoint hardest;
     for (std::size_t k = 0; k < points.size(); k++) {
         const double approach = -dot(impulses.relative(k), points[k].normal);
-        if (approach > tuning::restitution_speed) loads[k].target = restitution * approach;
+        if (approach > bounce_speed) loads[k].target = restitution * approach;
         if (approach > hardest.approach) hardest = {approach, points[k]};
     }
     for (int sweep = 0; sweep < tuning::impact_sweeps; sweep++) {

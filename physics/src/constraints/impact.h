@@ -9,6 +9,7 @@
 
 #include "jostle/physics/mat3.h"
 #include "physics/src/collision/narrowphase/impact_points.h"
+#include "physics/src/foundation/tuning.h"
 
 namespace jostle::physics {
 
@@ -27,8 +28,9 @@ struct HardestPoint {
 };
 
 // Changes the velocities of both bodies. Returns the point with the highest approach speed and the
-// total impulses.
+// total impulses. `bounce_speed`: slower impacts do not bounce, m/s.
 HardestPoint resolve_impact(ImpactBody& a, ImpactBody& b, std::span<const ImpactPoint> points,
-                            double restitution, double friction);
+                            double restitution, double friction,
+                            double bounce_speed = tuning::restitution_speed);
 
 }  // namespace jostle::physics

@@ -39,6 +39,26 @@ inline double speed_scale(double size, double gravity_ratio_squared) {
     return fourth == 1 ? 1 : square_root(square_root(fourth));
 }
 
+// Returns the ratio of the rate sqrt(gravity / size) of a body to that of the smallest body of
+// usual size at standard gravity.
+inline double time_scale_ratio(double size, double gravity_ratio_squared) {
+    if (size <= 0) return 1;
+    return square_root(square_root(gravity_ratio_squared) * (tuning::min_usual_size / size));
+}
+
+// Returns whether bodies of this size may need more sub-steps (choose_size_levels).
+inline bool may_need_size_level(double size, Vec3 gravity) {
+    return time_scale_ratio(size, gravity_ratio_squared(gravity)) > tuning::size_level_reserve;
+}
+
+// Returns the speed up to which impacts do not bounce, m/s. A bounce that is over within a step is
+// noise: the speed rises with what gravity adds in a step of at most 1/60 s.
+inline double bounce_speed(Vec3 gravity, double dt) {
+    ASSERT(dt > 0);
+    const double ratio = square_root(gravity_ratio_squared(gravity));
+    return tuning::restitution_speed * maximum(1, ratio * minimum(1, dt * tuning::usual_rate));
+}
+
 // Returns whether a pair needs its own lengths and speeds in the contact solver.
 inline bool is_unusual(double size, double gravity_ratio_squared) {
     return size_scale(size) != 1 || speed_scale(size, gravity_ratio_squared) != 1;

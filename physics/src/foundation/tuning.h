@@ -139,7 +139,12 @@ inline constexpr double slenderness = 3;
 // An island of at most this many layers, all slow, takes half the sub-steps.
 inline constexpr double flat_layers = 3;
 inline constexpr int tier_interval = 8;  // steps between tests
-inline constexpr int tier_patience = 4;  // tests
+// An island takes the lowest size level whose factor, times this, reaches the ratio of the time
+// scales (foundation/size_scale.h). Ten cubes of 5 cm stand with 8 sub-steps at 60 Hz and sway by
+// 1.4 % of their size; ten of 1 cm fall.
+inline constexpr double size_level_reserve = 1.25;
+inline constexpr int size_level_interval = 64;  // steps between tests for lower levels
+inline constexpr int tier_patience = 4;         // tests
 // In a world with a tolerance, each set of islands is measured at this interval in steps, and at
 // the second interval while the error of one of them is unknown.
 inline constexpr int trial_interval = 8, first_trial_interval = 2;
@@ -191,6 +196,10 @@ inline constexpr double contact_patch = 0.04;
 // Slower impacts do not bounce. About twice the speed that gravity adds in one step at 60 Hz;
 // slower bounces are noise.
 inline constexpr double restitution_speed = 0.3;  // m/s
+inline constexpr double usual_rate = 60;          // Hz
+// Pairs that overlap by more than this fraction of the thickness of the thinner body are left to
+// the contact solver, even if they bounce.
+inline constexpr double bouncing_overlap = 0.25;
 // Contacts do not slow a kinematic body. Bodies that it hits wake as if it had this many times
 // their mass.
 inline constexpr double kinematic_mass_ratio = 100;

@@ -567,6 +567,7 @@ void visit_stores(V& v, WorldStores& world) {
     v.field("steps", world.steps);
     v.field("last_dt", world.last_dt);
     v.optional("stiffness_dt", world.stiffness_dt, 18);
+    v.optional("size_levels", world.size_levels, 19);
     v.leave();
 
     v.enter("bodies");

@@ -39,6 +39,7 @@ struct IslandScratch {
     std::vector<std::uint32_t> awake;          // islands, in ascending order
     std::vector<IslandExtent> extents;         // indexed by island; valid for the awake ones
     std::vector<std::uint32_t> weights;        // indexed by island
+    std::vector<double> smallest;              // m, indexed by island: size of its smallest body
     std::vector<std::uint32_t> touch_changes;  // contacts whose touching flag changes
     // By colour set, in a world with a tolerance: whether it has an island of unknown error.
     std::array<std::uint8_t, solved_set_count> unknown{};

@@ -51,11 +51,12 @@ void set_contact_settings(StepContext& step) {
     if (world.bodies.awake.empty()) return;
     const auto gravity_ratio =
         static_cast<float>(square_root(gravity_ratio_squared(world.def.gravity)));
+    const auto restitution_speed = static_cast<float>(bounce_speed(world.def.gravity, step.dt));
     for (const SolverTier tier : all_tiers)
         for (std::uint8_t batch = 0; batch < batch_count; batch++) {
             const ColourSetKey key{tier, batch};
             ContactSettings& set = step.contacts[index_of(key)];
-            if (batch > 0 && !controls_error(world.def)) {
+            if (batch > 0 && !batches_differ(world)) {
                 set = step.contacts[index_of(key) - 1];
                 continue;
             }
@@ -65,6 +66,7 @@ void set_contact_settings(StepContext& step) {
             if (reuses_manifolds_longer(world.overload_level)) reuse_longer(set);
             set.planar = world.def.planar;
             set.gravity_ratio = gravity_ratio;
+            set.restitution_speed = restitution_speed;
         }
 }
 
@@ -108,12 +110,14 @@ void step_world(WorldState& world, StepScratch& scratch, double dt) {
     StepContext step = begin_step(world, scratch, dt);
     const bool asleep = world.bodies.awake.empty();
     set_contact_settings(step);
-    run<update_pairs>(step, Stage::update_pairs);                // shapes that may touch
-    run<update_contacts>(step, Stage::update_contacts);          // contact points
-    run<wake_before_solve>(step, Stage::wake_bodies);            // disturbed bodies
-    if (asleep) set_contact_settings(step);                      // bodies were woken
-    run<begin_contacts>(step, Stage::begin_contacts);            // adds new manifolds
-    run<prepare_islands>(step, Stage::prepare_islands);          // sub-steps by island
+    run<update_pairs>(step, Stage::update_pairs);        // shapes that may touch
+    run<update_contacts>(step, Stage::update_contacts);  // contact points
+    run<wake_before_solve>(step, Stage::wake_bodies);    // disturbed bodies
+    if (asleep) set_contact_settings(step);              // bodies were woken
+    run<begin_contacts>(step, Stage::begin_contacts);    // adds new manifolds
+    const bool by_size = world.size_levels;
+    run<prepare_islands>(step, Stage::prepare_islands);  // sub-steps by island
+    if (world.size_levels != by_size) set_contact_settings(step);
     run<solve_constraints>(step, Stage::solve_constraints);      // sub-steps of all touching bodies
     run<merge_islands>(step, Stage::merge_islands);              // connected bodies
     run<integrate_free>(step, Stage::integrate_free);            // bodies without contacts

@@ -153,6 +153,8 @@ void derive_flags(ContactGraph& stores, const Contact& contact) {
     const double size = size_of_pair(a, b);
     const bool unusual = is_unusual(size, gravity_ratio_squared(stores.def.gravity));
     set(LaneFlag::unusual, unusual);
+    if (unusual && may_need_size_level(size, stores.def.gravity))
+        stores.islands.small = SmallContacts::began;
     const auto bits = std::bit_cast<std::uint32_t>(unusual ? as_float(size) : 0.0f);
     lane_ref.meta->size[lane_ref.lane] = static_cast<std::uint16_t>(bits >> 16);
 }

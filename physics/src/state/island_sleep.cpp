@@ -44,7 +44,8 @@ std::vector<std::uint32_t> bodies_staying_asleep(WorldState& world,
 // Factor by which the overload level makes the island's sub-steps longer.
 double lengthening(const SteppingState& stepping, const Island& island) {
     ASSERT(island.colour_set != asleep_set);
-    return static_cast<double>(substeps_of(island.colour_set, stepping.def)) /
+    return static_cast<double>(
+               substeps_of(island.colour_set, stepping.def, false, stepping.size_levels)) /
            substeps_of(island.colour_set, stepping);
 }
 

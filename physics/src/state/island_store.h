@@ -49,10 +49,16 @@ struct Island {
     std::vector<SavedContact> manifolds;  // while asleep
 };
 
+// Contacts of bodies that may need more sub-steps (choose_size_levels). Not saved: after loading,
+// all count as begun.
+enum class SmallContacts : std::uint8_t { absent, known, began };
+
 struct IslandStore {
     IdPool ids;
     std::vector<Island> islands;
     bool some_lost = true;  // conservative: some remaining_load may be below 1; not saved
+    SmallContacts small = SmallContacts::absent;
+    double levels_dt = 0;  // s: length of the step in which size levels were last chosen; not saved
 };
 
 }  // namespace jostle::physics

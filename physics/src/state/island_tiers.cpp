@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "jostle/base/check.h"
+#include "physics/src/foundation/tuning.h"
 #include "physics/src/state/contact_constraints.h"
 #include "physics/src/state/impulse_scale.h"
 
@@ -186,9 +187,15 @@ void match_sets(ContactGraph& stores, JointStore& joints, std::uint32_t a, std::
     const SolverTier tier_a = required_tier(ia), tier_b = required_tier(ib);
     const bool alike = ia.colour_set.tier == ib.colour_set.tier || tier_a == tier_b ||
                        (is_usual(tier_a) && is_usual(tier_b));
-    const bool a_yields = alike ? ia.bodies < ib.bodies : tier_a < tier_b;
+    // Islands that are solved directly are small and give way to a large one.
+    const auto is_large = [](const Island& island) {
+        return island.bodies > tuning::max_group_bodies;
+    };
+    const bool direct = std::max(tier_a, tier_b) == SolverTier::direct;
+    const bool by_size = alike || (direct && (is_large(ia) || is_large(ib)));
+    const bool a_yields = by_size ? ia.bodies < ib.bodies : tier_a < tier_b;
     ColourSetKey to = a_yields ? ib.colour_set : ia.colour_set;
-    if (controls_error(stores.def)) to.batch = std::max(ia.colour_set.batch, ib.colour_set.batch);
+    if (batches_differ(stores)) to.batch = std::max(ia.colour_set.batch, ib.colour_set.batch);
     ASSERT(to.tier != SolverTier::asleep);
     for (const std::uint32_t island : {a, b})
         if (stores.islands.islands[island].colour_set != to)

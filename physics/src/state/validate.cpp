@@ -47,7 +47,7 @@ Fault check_sets(const BodySets& sets) {
             if (kind == BodySet::sleeping && cold.island != island)
                 return at("set", i, "is in the wrong island");
             const double norm = norm_squared(set[i].rotation);
-            if (!(norm > 0.9 && norm < 1.1))
+            if (!(norm > 1 - 1e-7 && norm < 1 + 1e-7))
                 return at("set", i, "has a rotation that is not a unit quaternion");
         }
         return {};

@@ -117,7 +117,7 @@ Fault shape_numbers(const ShapeRecord& s, std::size_t index) {
     if (Status checked = check_geometry("geometry", s.geometry); !checked.ok())
         return wrong(checked);
     if (Status checked = check_pose("pose", s.pose); !checked.ok()) return wrong(checked);
-    if (!within(norm_squared(s.pose.rotation), 0.99, 1.01))
+    if (!within(norm_squared(s.pose.rotation), 1 - 1e-7, 1 + 1e-7))
         return named("shapes", index, " has a rotation that is not a unit quaternion");
     if (Status checked = check_material(s.material); !checked.ok()) return wrong(checked);
     if (Status checked = check_mass(s.mass); !checked.ok()) return wrong(checked);

@@ -88,6 +88,8 @@ struct SteppingState {
     // The step length that determines the stiffness of contacts, s; 0: that of the step. Longer
     // than the step after it became shorter (stages/step_world.cpp).
     double stiffness_dt = 0;
+    // Batches are size levels (substeps_per_size): set once an island of the world needs it.
+    bool size_levels = false;
     double time = 0;               // sum of all dt, s
     OverloadState overload_level;  // of the next step
 };
@@ -131,9 +133,14 @@ struct GraphScratch {
     std::vector<std::uint32_t> stack;
 };
 
+// Whether the sub-steps of an island depend on its batch. Otherwise batches only share the work.
+inline bool batches_differ(const SteppingState& stepping) {
+    return controls_error(stepping.def) || stepping.size_levels;
+}
 // Sub-steps of the islands of a set in the current or next step.
 inline int substeps_of(ColourSetKey set, const SteppingState& stepping) {
-    return substeps_of(set, stepping.def, halves_substeps(stepping.overload_level));
+    return substeps_of(set, stepping.def, halves_substeps(stepping.overload_level),
+                       stepping.size_levels);
 }
 
 inline BodyWarm& warm_of(BodySets& sets, std::uint32_t body) {

@@ -44,6 +44,15 @@ TEST(SolverTier, halving_keeps_two_substeps_and_skips_tall_tiers) {
     EXPECT_EQ(substeps_of({SolverTier::flat, 0}, {.substeps = 2}, true), 1) << "as before";
 }
 
+TEST(SolverTier, size_levels_multiply_the_sub_steps_up_to_a_bound) {
+    const int low[] = {8, 24, 64, 192}, heavy[] = {32, 96, 256, 256};
+    for (std::uint8_t level = 0; level < batch_count; level++) {
+        EXPECT_EQ(substeps_of({SolverTier::low, level}, WorldDef{}, false, true), low[level]);
+        EXPECT_EQ(substeps_of({SolverTier::heavy, level}, WorldDef{}, false, true), heavy[level]);
+    }
+    EXPECT_EQ(substeps_of({SolverTier::heavy, 0}, {.substeps = 64}, false, true), 256);
+}
+
 TEST(SolverTier, always_takes_at_least_one_substep) {
     EXPECT_EQ(substeps_of(SolverTier::flat, {.substeps = 1}), 1);
 }

@@ -38,6 +38,22 @@ TEST(SizeScale, speeds_scale_with_the_square_root_of_size_and_gravity) {
     EXPECT_NEAR(speed_scale(5, gravity_ratio_squared(earth * 100)), 10, 1e-12);
 }
 
+TEST(SizeScale, time_scale_follows_the_root_of_gravity_over_size) {
+    EXPECT_NEAR(time_scale_ratio(0.05, 1), 1, 1e-12);
+    EXPECT_NEAR(time_scale_ratio(0.0005, 1), 10, 1e-12);
+    EXPECT_NEAR(time_scale_ratio(0.05, gravity_ratio_squared(earth * 100)), 10, 1e-12);
+    EXPECT_FALSE(may_need_size_level(0.05, earth));
+    EXPECT_TRUE(may_need_size_level(0.01, earth));
+}
+
+TEST(SizeScale, impacts_that_gravity_makes_in_two_steps_do_not_bounce) {
+    EXPECT_EQ(bounce_speed(earth, 1.0 / 60), 0.3);
+    EXPECT_EQ(bounce_speed(earth, 1.0 / 30), 0.3);
+    EXPECT_EQ(bounce_speed({}, 1.0 / 60), 0.3);
+    EXPECT_NEAR(bounce_speed(earth * 100, 1.0 / 60), 30, 1e-9);
+    EXPECT_NEAR(bounce_speed(earth * 100, 1.0 / 240), 7.5, 1e-9);
+}
+
 TEST(SizeScale, zero_size_and_zero_gravity_have_scale_one) {
     EXPECT_EQ(size_scale(0), 1);
     EXPECT_EQ(speed_scale(0, 1), 1);

@@ -13,13 +13,14 @@ namespace {
 
 constexpr int rim_points = 8;  // corners that approximate the rim of a disc
 
-// A disc normal to the local y axis at height y, with one corner in the direction of d.
+// A disc normal to the local y axis at height y, with one corner in the direction of d. Its corners
+// run counter-clockwise around f.normal, as those of all faces that add_clipped() clips against.
 void put_disc(Feature& f, double y, double radius, Vec3 d) {
     const double across = square_root(d.x * d.x + d.z * d.z);
     // If the disc is parallel to the other shape's face, the corners are fixed, so that a resting
     // rim keeps its points.
     const Vec3 first = across > 1e-4 ? Vec3{d.x / across, 0, d.z / across} : Vec3{1, 0, 0};
-    const Vec3 second{-first.z, 0, first.x};
+    const Vec3 second = cross(f.normal, first);
     constexpr double half = 0.70710678118654752440;
     static constexpr double turn[rim_points][2] = {{1, 0},  {half, half},   {0, 1},  {-half, half},
                                                    {-1, 0}, {-half, -half}, {0, -1}, {half, -half}};

@@ -53,6 +53,7 @@ struct BodyCluster {
     int bodies = 0;
     int row = 0;         // number of bodies in its longest row of neighbours
     bool held = false;   // by a nearby wall, or by a body with contacts
+    bool level = true;   // all impacts are level: gravity does not press their bodies together
     double fastest = 0;  // m/s: highest closing speed
     // Fraction of energy: impacts that retain less of it are resolved as a cluster.
     double min_retained_energy = 0;

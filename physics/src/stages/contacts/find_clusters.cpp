@@ -6,6 +6,7 @@
 #include <vector>
 
 #include "jostle/base/check.h"
+#include "physics/src/foundation/size_scale.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/continuous/ccd_policy.h"
 #include "physics/src/stages/step_scratch.h"
@@ -49,9 +50,9 @@ std::uint32_t cluster_with(ContactScratch& scratch, const BodyCold& cold, bool p
 
 // `closing`: m/s. The second body may be the one that holds the first.
 void merge_clusters(ContactScratch& scratch, const BodyCold& a, const BodyCold& b, double closing,
-                    bool pressed) {
+                    bool pressed, bool level) {
     if (!is_member(a))
-        return is_member(b) ? merge_clusters(scratch, b, a, closing, pressed) : void();
+        return is_member(b) ? merge_clusters(scratch, b, a, closing, pressed, level) : void();
     std::uint32_t cluster = cluster_with(scratch, a, pressed);
     if (is_member(b)) {
         std::uint32_t other = cluster_with(scratch, b, pressed);
@@ -62,18 +63,27 @@ void merge_clusters(ContactScratch& scratch, const BodyCold& a, const BodyCold& 
             absorbed.cluster_parent = cluster;
             into.bodies += absorbed.bodies;
             into.held |= absorbed.held;
+            into.level &= absorbed.level;
             into.fastest = maximum(into.fastest, absorbed.fastest);
         }
     } else {
         scratch.clusters[cluster].held = true;
     }
     scratch.clusters[cluster].fastest = maximum(scratch.clusters[cluster].fastest, closing);
+    scratch.clusters[cluster].level &= level;
 }
 
-// Returns whether a shape that cannot move freely is within `length` of a body's centre.
-bool is_wall_near(const ShapedBodies& stores, std::uint32_t shape, Vec3 center, double length) {
+// Returns whether a shape that cannot move freely is within `length` of a body's centre; if its
+// impacts are level, in a level direction: the table below a rack of balls does not hold them.
+bool is_wall_near(const ContactGraph& stores, std::uint32_t shape, Vec3 center, double length,
+                  bool level) {
     const ShapeRecord& s = stores.shapes.shapes[shape];
-    const Aabb near = grow({center, center}, length);
+    Vec3 reach{length, length, length};
+    if (level && stores.def.gravity != Vec3{}) {
+        const Vec3 up = normalized(stores.def.gravity);
+        for (int k = 0; k < 3; k++) reach[k] *= square_root(maximum(0, 1 - up[k] * up[k]));
+    }
+    const Aabb near{center - reach, center + reach};
     return is_plane(s) ? reaches_plane(stores, s, near) : overlap(near, s.fat);
 }
 
@@ -84,14 +94,16 @@ void merge_neighbours(const StepContext& step, ContactScratch& scratch, bool pre
     struct Member {
         std::uint32_t awake;
         double displacement;  // m: displacement of the fastest body of its cluster in the step
+        bool level;
     };
     std::vector<Member>
         members;  // fixed before bodies are added, so that the order does not matter
     for (std::uint32_t awake = 0; awake < scratch.cluster_of.size(); awake++)
-        if (const std::uint32_t cluster = scratch.cluster_of[awake]; cluster != no_cluster)
-            members.push_back(
-                {awake,
-                 scratch.clusters[cluster_root(scratch.clusters, cluster)].fastest * step.dt});
+        if (scratch.cluster_of[awake] != no_cluster) {
+            const BodyCluster& cluster =
+                scratch.clusters[cluster_root(scratch.clusters, scratch.cluster_of[awake])];
+            members.push_back({awake, cluster.fastest * step.dt, cluster.level});
+        }
     for (const Member& member : members) {
         const BodyWarm& warm = world.bodies.awake[member.awake];
         const BodyCold& cold = world.bodies.cold[warm.body];
@@ -106,9 +118,12 @@ void merge_neighbours(const StepContext& step, ContactScratch& scratch, bool pre
             const bool near =
                 is_member(cold_other)
                     ? length_squared(warm_of(world, other).center - warm.center) < reach * reach
-                    : !c.composite && is_wall_near(world, is_a ? c.shape_b : c.shape_a, warm.center,
-                                                   cold.inner_radius + member.displacement);
-            if (near) merge_clusters(scratch, cold, cold_other, 0, pressed);
+                    : !c.composite &&
+                          is_wall_near(world, is_a ? c.shape_b : c.shape_a, warm.center,
+                                       cold.inner_radius + member.displacement, member.level);
+            if (near)
+                merge_clusters(scratch, cold, cold_other, 0, pressed && !member.level,
+                               member.level);
         });
     }
 }
@@ -166,6 +181,15 @@ private:
     std::vector<std::uint32_t> visited_;  // in traversal order
 };
 
+// Returns whether two bodies meet across the direction of gravity.
+bool is_level(const NarrowPhaseTask& task, Vec3 gravity) {
+    const Vec3 direction{double{task.direction[0]}, double{task.direction[1]},
+                         double{task.direction[2]}};
+    constexpr double most = 0.1;  // cosine
+    return direction != Vec3{} &&
+           absolute(dot(direction, gravity)) < most * length(direction) * length(gravity);
+}
+
 // The fraction of energy that each impact must retain so that, after `impacts` impacts with the
 // energy spread over `bodies` bodies, each body's energy falls from that of `speed` to that of
 // `noise`. Computed as a root by bisection.
@@ -210,8 +234,9 @@ void find_clusters(StepContext& step) {
     for (const NarrowPhaseTask& task : scratch.tasks) {
         if (!task.bounces) continue;
         const Contact& c = world.contacts.contacts[task.contact];
+        const bool level = falls > 0 && is_level(task, world.def.gravity);
         merge_clusters(scratch, world.bodies.cold[c.body_a], world.bodies.cold[c.body_b],
-                       task.closing, falls > 0);
+                       task.closing, falls > 0 && !level, level);
     }
     merge_neighbours(step, scratch, falls > 0);
     for (std::uint32_t& cluster : scratch.cluster_of)
@@ -223,9 +248,9 @@ void find_clusters(StepContext& step) {
         if (!cluster.held || cluster.bodies < min_cluster_size || cluster.row > 0) continue;
         cluster.row = rows.longest_from(awake);
         if (cluster.row < min_cluster_size) continue;
-        cluster.min_retained_energy =
-            retained_energy_fraction(cluster.fastest, maximum(tuning::restitution_speed, falls),
-                                     2 * cluster.row, cluster.bodies);
+        cluster.min_retained_energy = retained_energy_fraction(
+            cluster.fastest, maximum(bounce_speed(world.def.gravity, step.dt), falls),
+            2 * cluster.row, cluster.bodies);
     }
 }
 

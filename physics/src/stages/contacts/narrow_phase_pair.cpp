@@ -7,6 +7,7 @@
 #include "physics/src/collision/narrowphase/collide.h"
 #include "physics/src/collision/narrowphase/collide_pairs.h"
 #include "physics/src/constraints/write_manifold.h"
+#include "physics/src/foundation/size_scale.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/contacts/find_seam_neighbours.h"
 #include "physics/src/stages/contacts/pair_motion.h"
@@ -96,23 +97,30 @@ bool will_bounce(const StepContext& step, const Contact& c, const Manifold& m, b
         return cold.type == BodyType::dynamic && had_contacts(step.scratch.contacts, cold);
     };
     if (m.count > 1 && touching) return false;
+    // A sweep finds no impact of bodies that overlap from its start on, so they would sink further.
+    const BodyCold &cold_a = world.bodies.cold[c.body_a], &cold_b = world.bodies.cold[c.body_b];
+    const double thin = cold_b.type == BodyType::dynamic
+                            ? minimum(cold_a.inner_radius, cold_b.inner_radius)
+                            : cold_a.inner_radius;
+    if (smallest_gap(m) < -tuning::bouncing_overlap * thin) return false;
     if (m.count > 1 && smallest_gap(m) <= 2 * tuning::sweep_gap * scale &&
         world.def.gravity != Vec3{} && (leans(c.body_a) || leans(c.body_b)))
         return false;
-    return closing_speed(world, c, m) > tuning::restitution_speed &&
+    return closing_speed(world, c, m) > bounce_speed(world.def.gravity, step.dt) &&
            expected_gap(world, c, m, step.dt) < margin;
 }
 
 // Returns whether a bouncing pair cannot touch in this step except at a speed that bounces. Such a
-// pair needs no manifold and moves freely. This includes bodies that just bounced and separate.
+// pair needs no manifold and moves freely. `least`: speed of such an impact, m/s. This includes
+// bodies that just bounced and separate.
 bool stays_apart(const BodySets& sets, const Contact& c, const Manifold& m, bool touching,
-                 double dt) {
+                 double least, double dt) {
     if (touching) return false;
     const BodyMotion a = motion_of(sets, c.body_a), b = motion_of(sets, c.body_b);
     for (int i = 0; i < m.count; i++) {
         const Vec3 va = a.v + cross(a.w, m.point[i] - a.center);
         const Vec3 vb = b.v + cross(b.w, m.point[i] - b.center);
-        if (m.gap[i] + dot(m.normal, vb - va) * dt <= tuning::restitution_speed * dt) return false;
+        if (m.gap[i] + dot(m.normal, vb - va) * dt <= least * dt) return false;
     }
     return true;
 }
@@ -223,12 +231,13 @@ void narrow_phase_composite(StepContext& step, NarrowPhaseTask& task) {
     found.clear();
     task.predicted_gap = 1e300;
     const bool may_bounce = bounces(world, c.shape_a, c.shape_b);
+    const double slow = bounce_speed(world.def.gravity, dt);
     for (const ChildManifold& child : children) {
         if (may_bounce) {
             const bool touches = is_touching(world.contacts, c, child.key);
             const bool will_touch = will_bounce(step, c, child.manifold, touches);
             task.bounces |= will_touch;
-            if (will_touch || stays_apart(world, c, child.manifold, touches, dt)) {
+            if (will_touch || stays_apart(world, c, child.manifold, touches, slow, dt)) {
                 task.near = minimum(task.near, 0);
                 continue;
             }
@@ -252,6 +261,9 @@ Approach approach_of(const ConstraintGraph& graph, const Contact& c) {
     for (const auto& row : lane_ref.block->gap) gap = minimum(gap, double{row[lane_ref.lane]});
     return {normal_of(lane_ref), gap};
 }
+
+// m: a pair that closes by less in a step does not approach.
+constexpr double rounding_motion = 1e-7;
 
 // Tests a pair at predicted poses. `covered`: whether a neighbour covers the contact.
 Manifold test_pair(const WorldState& world, Contact& c, const PredictedPair& pair, double margin,
@@ -299,7 +311,9 @@ Manifold predicted_manifold(const StepContext& step, Contact& c, bool& covered) 
     }
     const double margin = predicted + closing_reach(world.bodies, c, displacement);
     const double closing = closing_along(world, c, near.normal);
-    if (!c.touching && near.gap > 0 && near.gap < closing * dt)
+    // Bodies that slide past each other close by rounding errors only.
+    if (!c.touching && near.gap > 0 && near.gap < closing * dt &&
+        closing * dt > rounding_motion * scale)
         return within(margin, PredictedPair(world, c, minimum(dt, (near.gap + past) / closing)));
     return within(margin, pair);
 }
@@ -366,7 +380,8 @@ void narrow_phase_pair(StepContext& step, NarrowPhaseTask& task) {
     if (bounces(world, c.shape_a, c.shape_b)) {
         task.bounces = will_bounce(step, c, manifold, c.touching);
         if (task.bounces) return defer_to_clusters(step, task, manifold);
-        if (manifold.count > 0 && stays_apart(world, c, manifold, c.touching, step.dt)) {
+        if (manifold.count > 0 && stays_apart(world, c, manifold, c.touching,
+                                              bounce_speed(world.def.gravity, step.dt), step.dt)) {
             manifold.distance = smallest_gap(manifold);
             manifold.count = 0;
         }

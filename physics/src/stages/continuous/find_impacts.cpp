@@ -19,7 +19,15 @@ namespace {
 
 // The approach that makes a touch an impact. The path of a gyroscopic body may approach although
 // its velocities do not. Such an impact has no impulse, but a new sweep starts from there.
-enum class ApproachTest : std::uint8_t { by_velocity_or_path, by_velocity, at_bouncing_speed };
+// The contact solver pushes overlapping bodies apart: their path separates although their velocity
+// may approach.
+enum class ApproachTest : std::uint8_t {
+    by_velocity_or_path,
+    by_velocity,
+    by_path,
+    by_velocity_and_path,
+    at_bouncing_speed
+};
 
 // A shape of the TOI body and the other shape on their paths.
 struct SweptPair {
@@ -106,7 +114,13 @@ private:
                                    ApproachTest::by_velocity_or_path);
             if (!touches) return;
         }
-        record(pair, pair.from, points_at(pair, pair.from), ApproachTest::by_velocity);
+        // All copies overlap from the start. A body that forces pull through the other one within
+        // the step stays where it is.
+        const double thin = other_is_thinner ? cold_other.inner_radius : cold.inner_radius;
+        const bool passes =
+            length(t_.sweep.translation - path_.translation) * (1 - pair.from) > thin;
+        record(pair, pair.from, points_at(pair, pair.from),
+               passes ? ApproachTest::by_path : ApproachTest::by_velocity_and_path);
     }
 
     std::vector<ImpactPoint> points_at(const SweptPair& pair, double fraction) const {
@@ -184,9 +198,24 @@ private:
             const Vec3 displacement = (path_.translation + cross(path_.rotation_vector, rb)) -
                                       (t_.sweep.translation + cross(t_.sweep.rotation_vector, ra));
             most = maximum(most, -dot(u, p.normal));
-            closes |= dot(u, p.normal) < -least;
-            closes |= approach == ApproachTest::by_velocity_or_path &&
-                      dot(displacement, p.normal) < -least * state_.step.dt;
+            const double centers = dot(path_.translation - t_.sweep.translation, p.normal);
+            const bool by_velocity = dot(u, p.normal) < -least,
+                       by_path = dot(displacement, p.normal) < -least * state_.step.dt;
+            switch (approach) {
+                case ApproachTest::by_velocity_or_path:
+                    closes |= by_velocity || by_path;
+                    break;
+                case ApproachTest::by_velocity:
+                case ApproachTest::at_bouncing_speed:
+                    closes |= by_velocity;
+                    break;
+                case ApproachTest::by_path:
+                    closes |= centers < -least * state_.step.dt;
+                    break;
+                case ApproachTest::by_velocity_and_path:
+                    closes |= by_velocity && centers < 0;
+                    break;
+            }
         }
         if (!closes) return std::nullopt;
         return most;

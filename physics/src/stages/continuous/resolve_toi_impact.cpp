@@ -4,6 +4,7 @@
 #include <utility>
 
 #include "jostle/base/check.h"
+#include "physics/src/foundation/size_scale.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/contacts/call_contact_listeners.h"
 #include "physics/src/stages/continuous/bounce_events.h"
@@ -15,7 +16,44 @@
 namespace jostle::physics {
 namespace {
 
-// A body before the impact, with its mass at its pose there.
+void report_hit(WorldState& world, std::uint32_t own, std::uint32_t other,
+                const HardestPoint& hit) {
+    if (hit.approach < world.def.hit_speed || hit.approach <= 0) return;
+    const std::vector<ShapeRecord>& shapes = world.shapes.shapes;
+    world.events.hits.push_back({shape_id(world.shapes, own), shape_id(world.shapes, other),
+                                 body_id(world.bodies, shapes[own].body),
+                                 body_id(world.bodies, shapes[other].body), hit.point.position,
+                                 hit.point.normal, hit.approach});
+}
+
+// An impact without approach on a body that has used up its impacts stops the TOI body too: it
+// would be hit again and again.
+void count_impact(ToiState& state, ToiBody& t, std::uint32_t other_body, const HardestPoint& hit) {
+    const std::uint32_t other = state.index_of(other_body);
+    if (hit.approach <= 0 && other != none && is_exhausted(state.bodies[other]))
+        t.impacts = tuning::sweep_impacts;
+    else
+        t.impacts++;
+}
+
+// Returns whether a velocity separates a body from everything that touches it.
+bool leaves_support(const ToiState& state, std::uint32_t body, Vec3 v, double at) {
+    const WorldState& world = state.world;
+    const double least = 0.05 * size_scale(world.bodies.cold[body].radius);  // m/s
+    bool leaves = true;
+    for_each_manifold(world.contacts, world.bodies.cold[body], [&](std::uint32_t contact) {
+        const Contact& c = world.contacts.contacts[contact];
+        if (!leaves || !c.touching) return;
+        const bool is_a = c.body_a == body;
+        const Vec3 u = speed_of(state, is_a ? c.body_b : c.body_a, at).v - v;
+        const ContactLaneRef lane_ref = lane_ref_of(world.graph, c);
+        leaves = dot(normal_of(lane_ref), u) * (is_a ? 1 : -1) > least;
+    });
+    return leaves;
+}
+
+}  // namespace
+
 DeflectedBody body_at_impact(const ToiState& state, std::uint32_t body, double at) {
     const WorldState& world = state.world;
     const Sweep path = sweep_of(state, body);
@@ -34,7 +72,6 @@ DeflectedBody body_at_impact(const ToiState& state, std::uint32_t body, double a
     return result;
 }
 
-// The materials of two shapes, as changed by listeners.
 ContactModifier modifier_at_impact(const WorldState& world, std::uint32_t own, std::uint32_t other,
                                    const ImpactBody& a, const ImpactBody& b,
                                    const std::vector<ImpactPoint>& points) {
@@ -48,8 +85,6 @@ ContactModifier modifier_at_impact(const WorldState& world, std::uint32_t own, s
                                   {own, other, points.front().normal, point, vb - va}, modifier);
 }
 
-// A sleeping body wakes after all impacts are resolved, with as much of its surroundings as the
-// momentum of the other body moves.
 void request_wake(WorldState& world, std::uint32_t body, std::uint32_t hit_body) {
     const BodyCold& cold = world.bodies.cold[hit_body];
     if (cold.set != BodySet::sleeping && !cold.asleep_in_place) return;
@@ -57,51 +92,13 @@ void request_wake(WorldState& world, std::uint32_t body, std::uint32_t hit_body)
     world.wake_requests.push_back({hit_body, mass_to_wake(momentum)});
 }
 
-void report_hit(WorldState& world, std::uint32_t own, std::uint32_t other,
-                const HardestPoint& hit) {
-    if (hit.approach < world.def.hit_speed || hit.approach <= 0) return;
-    const std::vector<ShapeRecord>& shapes = world.shapes.shapes;
-    world.events.hits.push_back({shape_id(world.shapes, own), shape_id(world.shapes, other),
-                                 body_id(world.bodies, shapes[own].body),
-                                 body_id(world.bodies, shapes[other].body), hit.point.position,
-                                 hit.point.normal, hit.approach});
-}
-
-void report(ToiState& state, std::uint32_t own, std::uint32_t other, const HardestPoint& hit,
-            bool bounces) {
+void report_impact(ToiState& state, std::uint32_t own, std::uint32_t other, const HardestPoint& hit,
+                   bool bounces) {
     report_hit(state.world, own, other, hit);
     report_impulse(state.world, own, other, hit);
-    if (bounces && hit.approach > tuning::restitution_speed)
+    if (bounces && hit.approach > bounce_speed(state.world.def.gravity, state.step.dt))
         note_bounce(state.world, own, other, hit, state.bounces);
 }
-
-// An impact without approach on a body that has used up its impacts stops the TOI body too: it
-// would be hit again and again.
-void count_impact(ToiState& state, ToiBody& t, std::uint32_t other_body, const HardestPoint& hit) {
-    const std::uint32_t other = state.index_of(other_body);
-    if (hit.approach <= 0 && other != none && is_exhausted(state.bodies[other]))
-        t.impacts = tuning::sweep_impacts;
-    else
-        t.impacts++;
-}
-
-// Returns whether a velocity separates a body from everything that touches it.
-bool leaves_support(const ToiState& state, std::uint32_t body, Vec3 v, double at) {
-    constexpr double least = 0.05;  // m/s
-    const WorldState& world = state.world;
-    bool leaves = true;
-    for_each_manifold(world.contacts, world.bodies.cold[body], [&](std::uint32_t contact) {
-        const Contact& c = world.contacts.contacts[contact];
-        if (!leaves || !c.touching) return;
-        const bool is_a = c.body_a == body;
-        const Vec3 u = speed_of(state, is_a ? c.body_b : c.body_a, at).v - v;
-        const ContactLaneRef lane_ref = lane_ref_of(world.graph, c);
-        leaves = dot(normal_of(lane_ref), u) * (is_a ? 1 : -1) > least;
-    });
-    return leaves;
-}
-
-}  // namespace
 
 std::optional<ResolvedImpact> resolve_toi_impact(ToiState& state, std::size_t index) {
     WorldState& world = state.world;
@@ -129,8 +126,9 @@ std::optional<ResolvedImpact> resolve_toi_impact(ToiState& state, std::size_t in
     if (impact.bounced && !t.at_start)
         put_on_parabolas(a, fall_of(state, t.body), b, fall_of(state, other_body), points, at,
                          state.step.dt);
-    const HardestPoint hit = resolve_impact(a, b, points, modifier.restitution, modifier.friction);
-    report(state, own, other, hit, impact.bounced);
+    const HardestPoint hit = resolve_impact(a, b, points, modifier.restitution, modifier.friction,
+                                            bounce_speed(world.def.gravity, state.step.dt));
+    report_impact(state, own, other, hit, impact.bounced);
     count_impact(state, t, other_body, hit);
     request_search(state, index);
     return impact;

@@ -11,6 +11,7 @@
 #include "physics/src/stages/continuous/find_impacts.h"
 #include "physics/src/stages/continuous/impact_queue.h"
 #include "physics/src/stages/continuous/project_joints.h"
+#include "physics/src/stages/continuous/resolve_cluster.h"
 #include "physics/src/stages/continuous/resolve_toi_impact.h"
 #include "physics/src/stages/continuous/start_toi_bodies.h"
 #include "physics/src/stages/continuous/toi_policy.h"
@@ -22,6 +23,14 @@ namespace jostle::physics {
 namespace {
 
 void process_impact(ToiState& state, ImpactQueue& queue, std::size_t index) {
+    if (state.any_bounces) {
+        if (const std::optional<ResolvedCluster> cluster = resolve_cluster(state, index)) {
+            for (const DeflectedBody& deflected : cluster->bodies)
+                if (const auto on_new_path = continue_after(state, cluster->impact, deflected))
+                    update_dependents(state, queue, *on_new_path);
+            return;
+        }
+    }
     const std::optional<ResolvedImpact> impact = resolve_toi_impact(state, index);
     if (!impact) return;
     for (const DeflectedBody* deflected : {&impact->a, &impact->b})

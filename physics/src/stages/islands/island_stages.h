@@ -31,6 +31,18 @@ void assign_batches(StepContext& step);
 // scratch, for the solver: which colour sets have an island of unknown error.
 void choose_substep_levels(StepContext& step);
 
+// Without a tolerance: chooses the size level of each island whose smallest body has a shorter time
+// scale sqrt(size / gravity) than bodies of usual size at standard gravity
+// (foundation/size_scale.h), in proportion to the length of the step. Levels rise immediately. In a
+// world in which no island needs it, batches are not size levels.
+//
+// Reads: awake bodies with contacts. Writes: SteppingState::size_levels, Island::colour_set,
+// contacts, impulses.
+void choose_size_levels(StepContext& step);
+// Returns whether levels may change: contacts of small bodies began, the step is longer than the
+// last one, or lower levels are due.
+bool needs_size_levels(const StepContext& step);
+
 // Restores the order of lanes. As contacts begin and end, the lanes of a colour lose their order.
 // Each thread that shares the colours would then load bodies from the caches of other threads.
 //

@@ -193,14 +193,16 @@ Skipped prepare_islands(StepContext& step) {
     leave_direct_tier(world, world.joints);
     // The second step is the first with known islands.
     const bool update_tiers = world.steps % tuning::tier_interval == 1;
-    if (!update_tiers && !world.islands.some_lost && !controls_error(world.def))
+    const bool update_sizes = needs_size_levels(step);
+    if (!update_tiers && !world.islands.some_lost && !update_sizes && !controls_error(world.def))
         return "islands are updated every eighth step";
     if (world.islands.some_lost) scale_lost_loads(world);
     if (update_tiers && world.def.gravity != Vec3{})
         choose_tiers(world, world.joints, step.scratch.islands);
+    if (update_sizes) choose_size_levels(step);
     if (controls_error(world.def))
         choose_substep_levels(step);
-    else if (world.steps % tuning::batch_interval == 1)
+    else if (!world.size_levels && world.steps % tuning::batch_interval == 1)
         assign_batches(step);
     if (world.steps % tuning::sort_interval == 1) sort_constraints(step);
     return ran;

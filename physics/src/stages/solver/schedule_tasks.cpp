@@ -72,11 +72,10 @@ Schedule schedule(const StepContext& step, const std::vector<SolverTask>& tasks)
 std::vector<SolverTask> make_tasks(const StepContext& step) {
     const BodiesBySet& bodies = step.scratch.solver.bodies;
     std::vector<SolverTask> tasks;
-    // Listeners are called with the same groups of bodies for any number of threads. With a
-    // tolerance, batches differ in their sub-steps.
+    // Listeners are called with the same groups of bodies for any number of threads.
     const bool any_together =
         step.thread_pool.size() == 1 || listens_on_one_thread(step.world.listeners);
-    const std::size_t together = any_together && !controls_error(step.world.def) ? batch_count : 1;
+    const std::size_t together = any_together && !batches_differ(step.world) ? batch_count : 1;
     for (const SolverTier tier : all_tiers) {
         const std::size_t first = index_of(ColourSetKey{tier, 0});
         for (std::size_t k = first; k < first + batch_count; k += together)

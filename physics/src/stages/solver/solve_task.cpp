@@ -196,6 +196,7 @@ void solve_task(StepContext& step, const SolverTask& task,
                              {stiffness_dt_of(step.world, step.dt), set.substeps});
         coarse.planar = set.planar;
         coarse.gravity_ratio = set.gravity_ratio;
+        coarse.restitution_speed = set.restitution_speed;
         begin_trial(step, task.first, task.last, jointed);
         solve_with(step, task, coarse, kinematic);
         end_trial(step, task.first, task.last, bodies, jointed);

@@ -45,6 +45,31 @@ TEST(Clip, feature_of_round_solid_is_end_cap_or_side_line) {
     EXPECT_TRUE(near(slope.corner[1], {0, 2, 0}, 1e-12));
 }
 
+// Clipping retains what is inside of corners in this order. The other order loses all points.
+TEST(Clip, corners_of_end_caps_run_counter_clockwise_seen_from_outside) {
+    for (const double side : {-1.0, 1.0}) {
+        const Feature cap = feature_of(Cylinder{2, 1}, {0.1, side, 0.2});
+        for (int k = 0; k < 8; k++) {
+            const Vec3 p = cap.corner[k], q = cap.corner[(k + 1) % 8];
+            EXPECT_GT(dot(cross(p, q), cap.normal), 0) << side;
+        }
+    }
+    const Feature base = feature_of(Cone{3, 2}, {0, -1, 0});
+    EXPECT_GT(dot(cross(base.corner[0], base.corner[1]), base.normal), 0);
+}
+
+// The corner nearest to the lower cap's rim and its neighbours are cut where the rims cross.
+TEST(Clip, equal_discs_on_each_other_have_eight_points_or_more) {
+    const Geometry can = Cylinder{0.5, 0.5};
+    for (const double aside : {0.0, 0.1}) {
+        const Convex a = at(can, {}), b = at(can, {aside, 1, 0});
+        const ContactPoints points =
+            contact_points(a, b, {{0, 1, 0}, 0, {aside, 0.5, 0}, {aside, 0.5, 0}}, 0.01);
+        EXPECT_GE(points.count, 8) << aside;
+        EXPECT_EQ(manifold_of(points, {0, 1, 0}, 0.5).count, 4) << aside;
+    }
+}
+
 // A box of 1 m stands a millimetre deep on the edge of a table, a quarter of it over the border.
 TEST(Clip, points_lie_on_both_faces) {
     const Geometry table = Box{{1, 0.5, 1}}, box = Box{};

@@ -15,9 +15,6 @@
 namespace jostle::physics {
 namespace {
 
-// Fraction of the speed that gravity adds in a sub-step.
-constexpr double tolerance = 1e-7;
-
 std::size_t index(int i) {
     ASSERT(i >= 0);
     return static_cast<std::size_t>(i);
@@ -251,15 +248,15 @@ bool ContactGroup::run(const ContactSettings& settings, bool relaxing) {
     problem_.clear(static_cast<int>(bodies_.size()));
     for (const ManifoldOfGroup& manifold : manifolds_) load_manifold(settings, manifold, relaxing);
     y_.resize(free_.size());
-    const double speed =
-        tolerance * tuning::usual_gravity * double{settings.gravity_ratio} * double{settings.h};
+    const double tolerance = relative_tolerance * tuning::usual_gravity *
+                             double{settings.gravity_ratio} * double{settings.h};
     // Within a step the rows keep their meaning, and their impulses are known in double precision.
     ASSERT(impulses_.empty() || impulses_.size() == problem_.rows.size());
     for (std::size_t i = 0; i < impulses_.size(); i++) problem_.rows[i].impulse = impulses_[i];
     start_.resize(problem_.rows.size());
     for (std::size_t i = 0; i < start_.size(); i++) start_[i] = problem_.rows[i].impulse;
-    const bool same = !impulses_.empty() && solver_.still_solves(problem_, y_, speed);
-    const bool solved = same || solver_.solve(problem_, matrix_, y_, speed);
+    const bool same = !impulses_.empty() && solver_.still_solves(problem_, y_, tolerance);
+    const bool solved = same || solver_.solve(problem_, matrix_, y_, tolerance);
     impulses_.clear();
     if (solved) {
         for (const GroupRow& row : problem_.rows) impulses_.push_back(row.impulse);

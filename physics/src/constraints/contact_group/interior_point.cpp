@@ -8,7 +8,9 @@
 namespace jostle::physics {
 namespace {
 
-constexpr int max_iterations = 30;  // per round
+constexpr int max_iterations = 50;  // per round
+// A solution that rounding keeps from the tolerance is accepted within this factor.
+constexpr double last_resort = 1000;
 // Compliance of a row relative to its response. It bounds the impulses where immovable bodies press
 // from both sides. A load of a million times the mass sinks by 1e-8 m/s.
 constexpr double compliance = 1e-12;
@@ -53,6 +55,14 @@ void add_product(SkylineCholesky& matrix, const GroupRow& left, const GroupRow& 
         block(left.b, left.a, left.gb, right.ga);
 }
 
+// Speed at which a contact closes without impulses, m/s.
+double speed_of(const GroupProblem& problem, const GroupContact& contact, double least) {
+    double speed = least;
+    for (int i = contact.first; i < contact.first + contact.points; i++)
+        speed = maximum(speed, absolute(problem.row(i).offset));
+    return speed;
+}
+
 }  // namespace
 
 // The products of impulses and slacks are relative to the masses: products / response, so that the
@@ -88,13 +98,14 @@ bool InteriorPoint::update_radii(const GroupProblem& problem) {
 }
 
 // Impulses and slacks that are positive, and friction that is within its discs.
-void InteriorPoint::start(GroupProblem& problem, double fastest, double tolerance) {
+void InteriorPoint::start(GroupProblem& problem, double usual_speed, double tolerance) {
     std::fill(change_.begin(), change_.end(), 0.0);  // of discs that are not active
     for (const GroupContact& contact : problem.contacts) {
+        const double speed = speed_of(problem, contact, usual_speed);
         for (int i = contact.first; i < contact.first + contact.points; i++) {
             GroupRow& row = problem.row(i);
-            row.impulse = maximum(row.impulse, fastest / row.response);
-            slack_[at(i)] = maximum(row.offset, fastest);
+            row.impulse = maximum(row.impulse, speed / row.response);
+            slack_[at(i)] = maximum(row.offset, speed);
         }
         const GroupRow& normal = problem.row(contact.first);
         for (int d = contact.first_disc; d < contact.first_disc + contact.discs; d++) {
@@ -419,14 +430,16 @@ bool InteriorPoint::solve_convex(GroupProblem& problem, SkylineCholesky& matrix,
                      ahead > 0.1);
         take(problem, y, longest_step(problem));
     }
-    return false;
+    find_residual(problem, y);
+    return is_solved(problem, last_resort * tolerance);
 }
 
 bool InteriorPoint::solve(GroupProblem& problem, SkylineCholesky& matrix, std::span<double> y,
                           double tolerance) {
     ASSERT(y.size() == at(6 * problem.bodies));
     begin(problem, y);
-    double fastest = tolerance;
+    const double usual_speed = tolerance / relative_tolerance;
+    double fastest = 0;
     for (const GroupRow& row : problem.rows) fastest = maximum(fastest, absolute(row.offset));
     tolerance = maximum(tolerance, rounding * fastest);
     // Contacts that have begun start with an estimate.
@@ -443,7 +456,7 @@ bool InteriorPoint::solve(GroupProblem& problem, SkylineCholesky& matrix, std::s
     iterations_ = 0;
     update_radii(problem);
     for (int round = 0; round < max_rounds; round++) {
-        start(problem, fastest, tolerance);
+        start(problem, usual_speed, tolerance);
         if (!solve_convex(problem, matrix, y, tolerance)) return false;
         drop_idle_impulses(problem);
         if (round + 1 < max_rounds && update_radii(problem)) break;

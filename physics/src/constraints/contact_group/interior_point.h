@@ -19,12 +19,14 @@
 
 namespace jostle::physics {
 
+inline constexpr double relative_tolerance = 1e-7;
+
 // Scratch data are reused from call to call. Not thread-safe.
 class InteriorPoint {
 public:
     // `matrix`: with the pattern of the problem. `y`: six per body, receives the solution; the
-    // impulses of the rows are the start and the result. `tolerance`: in m/s. Returns whether the
-    // solution has been found to within the tolerance.
+    // impulses of the rows are the start and the result. `tolerance`: in m/s, relative_tolerance of
+    // what gravity adds to velocities. Returns whether a solution was found.
     bool solve(GroupProblem& problem, SkylineCholesky& matrix, std::span<double> y,
                double tolerance);
     // Returns whether the solution of the last call also solves this problem, which differs only in
@@ -44,7 +46,7 @@ private:
 
     void begin(const GroupProblem& problem, std::span<const double> y);
     bool update_radii(const GroupProblem& problem);
-    void start(GroupProblem& problem, double fastest, double tolerance);
+    void start(GroupProblem& problem, double usual_speed, double tolerance);
     bool solve_convex(GroupProblem& problem, SkylineCholesky& matrix, std::span<double> y,
                       double tolerance);
     double room(const GroupProblem& problem, std::size_t disc) const;

@@ -174,6 +174,8 @@ inline constexpr int sorted_share = 256;
 inline constexpr int sort_interval = 32;
 // m/s; faster bodies fall, since one step adds 0.16 m/s.
 inline constexpr double standing_speed = 0.1;
+// m/s relative to the others, spin included; an island with a faster body is not solved directly.
+inline constexpr double tumbling_speed = 1;
 // An island in which a body rests only on bodies that are lighter by this ratio takes four times
 // the sub-steps. Five boxes below five boxes of 100 times their mass collapse with 8 sub-steps and
 // stand with 32.

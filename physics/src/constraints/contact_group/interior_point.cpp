@@ -8,7 +8,7 @@
 namespace jostle::physics {
 namespace {
 
-constexpr int max_iterations = 50;  // per round
+constexpr int max_iterations = 30;  // per round
 // A solution that rounding keeps from the tolerance is accepted within this factor.
 constexpr double last_resort = 1000;
 // Compliance of a row relative to its response. It bounds the impulses where immovable bodies press
@@ -27,7 +27,7 @@ constexpr double boundary = 0.01;
 // Relative error of the limit of friction, and how often it is corrected. What remains is corrected
 // in the next pass.
 constexpr double radius_tolerance = 0.01;
-constexpr int max_rounds = 4;
+constexpr int max_rounds = 3;
 // Friction starts and stays within this fraction of a disc that shrinks.
 constexpr double interior = 0.95;
 

@@ -115,12 +115,15 @@ bool mostly_stand(const ContactGraph& stores, std::span<const std::uint32_t> isl
     });
     mean = mean * (1.0 / bodies);
     const double gravity = gravity_ratio_squared(stores.def.gravity);
+    bool tumbles = false;
     for_each_body(stores, islands, [&](std::uint32_t body) {
-        const double radius = stores.bodies.cold[body].radius,
-                     most = tuning::standing_speed * speed_scale(radius, gravity);
-        if (length_squared(warm_of(stores, body).v - mean) > most * most) moving++;
+        const BodyWarm& warm = warm_of(stores, body);
+        const double radius = stores.bodies.cold[body].radius, scale = speed_scale(radius, gravity),
+                     speed = length(warm.v - mean) + length(warm.w) * radius;
+        if (speed > tuning::standing_speed * scale) moving++;
+        tumbles = tumbles || speed > tuning::tumbling_speed * scale;
     });
-    return moving <= std::max(2u, bodies / 4);
+    return !tumbles && moving <= std::max(2u, bodies / 4);
 }
 
 void raise_to_heavy_tier(ContactGraph& stores, JointStore& joints,
@@ -165,7 +168,7 @@ void leave_direct_tier(ContactGraph& stores, JointStore& joints) {
         const ColourSetKey set = stores.islands.islands[island].colour_set;
         if (set.tier != SolverTier::direct) continue;
         const std::vector<std::uint32_t> coupled = coupled_islands(stores, stores.contacts, island);
-        if (!may_be_solved_directly(stores, coupled))
+        if (!may_be_solved_directly(stores, coupled) || !mostly_stand(stores, coupled))
             move_to_set(stores, joints, coupled, {SolverTier::heavy, set.batch});
     }
 }

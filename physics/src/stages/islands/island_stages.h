@@ -66,8 +66,9 @@ double largest_load_ratio(ContactGraph& stores, std::span<const std::uint32_t> i
 // bodies that sleep in place.
 bool may_be_solved_directly(const ContactGraph& stores, std::span<const std::uint32_t> islands);
 
-// Returns whether at most a quarter of the bodies move relative to the others. In a tumbling heap
-// loads pass before they could sink, and each new contact costs a direct solver iterations.
+// Returns whether at most a quarter of the bodies move relative to the others, none fast. In a
+// tumbling heap loads pass before they could sink, and each new contact costs a direct solver
+// iterations.
 bool mostly_stand(const ContactGraph& stores, std::span<const std::uint32_t> islands);
 
 // `bodies`: bodies that have begun to touch a much lighter body. Those that rest on nothing else
@@ -79,7 +80,7 @@ void raise_to_heavy_tier(ContactGraph& stores, JointStore& joints,
 // solved directly from now on, if they are small enough.
 void raise_to_direct_tier(ContactGraph& stores, JointStore& joints,
                           std::span<const std::uint32_t> bodies);
-// Moves islands that have become too large for SolverTier::direct to SolverTier::heavy.
+// Moves islands that have become too large for SolverTier::direct, or tumble, to SolverTier::heavy.
 void leave_direct_tier(ContactGraph& stores, JointStore& joints);
 
 }  // namespace jostle::physics

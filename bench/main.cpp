@@ -50,8 +50,8 @@ int main(int argc, char** argv) {
     jostle::bench::add_stream(app, status);
     jostle::bench::add_threads(app, status);
     app.footer(footer);
-    if (const auto status =
+    if (const auto parsed =
             jostle::parse_command_line(app, {"jostle-bench", JOSTLE_VERSION}, argc, argv))
-        return *status;
+        return *parsed;
     return status;
 }

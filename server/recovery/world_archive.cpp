@@ -101,8 +101,8 @@ std::uint32_t number_of(const std::string& id) {
 }  // namespace
 
 struct WorldArchive::ArchivedUndo : PreparedUndo {
-    ArchivedUndo(WorldDefinition definition, RecoveryOptions options, RecoveredWorld world)
-        : definition(std::move(definition)), options(std::move(options)), world(std::move(world)) {}
+    ArchivedUndo(WorldDefinition of, RecoveryOptions with, RecoveredWorld recovered)
+        : definition(std::move(of)), options(std::move(with)), world(std::move(recovered)) {}
 
     WorldDefinition definition;
     RecoveryOptions options;

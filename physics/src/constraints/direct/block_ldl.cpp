@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "jostle/base/check.h"
+#include "jostle/physics/scalar.h"
 #include "physics/src/constraints/direct/joint_net.h"
 
 namespace jostle::physics {

@@ -2,10 +2,10 @@
 //
 // Stacked boxes stay in place and fall asleep; a pyramid of 465 boxes in 30 rows stands for 33 s
 // without sleeping.
+#include <gtest/gtest.h>
+
 #include <cmath>
 #include <cstdint>
-
-#include <gtest/gtest.h>
 
 #include "tests/support/near.h"
 #include "tests/support/random.h"
@@ -50,8 +50,7 @@ TEST(Stack, stays_still_when_the_step_length_changes) {
     }
 }
 
-// A stack that sleeps is woken in steps of a quarter of the length.
-// Moves a stack of ten for 600 steps, of which dt_of(step) is the length.
+// How far a box of a stack of ten is off after 600 steps, of which dt_of(step) is the length.
 template <class StepLength>
 double offset_after_steps_of(StepLength&& dt_of) {
     World world = make_world({.sleeping = false});
@@ -99,6 +98,7 @@ TEST(Stack, stands_while_a_long_step_interrupts_short_ones) {
             << short_hz;
 }
 
+// A stack that sleeps is woken in steps of a quarter of the length.
 TEST(Stack, wakes_without_motion_after_a_step_length_change) {
     World world = make_world();
     add_floor(world);

@@ -36,11 +36,13 @@ struct ContactSettings {
 // frequency is proportional to the sub-step rate, so that more sub-steps are stiffer and more
 // accurate.
 ContactSettings contact_settings(double dt, int substeps, SolverTier tier);
-// Same, with the stiffness of another step.
+
+// The step whose stiffness contacts have.
 struct StiffnessStep {
     double dt;  // s
     int substeps;
 };
+// Same, with the stiffness of another step.
 ContactSettings contact_settings(double dt, int substeps, SolverTier tier, StiffnessStep stiff_as);
 
 }  // namespace jostle::physics

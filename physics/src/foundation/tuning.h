@@ -122,8 +122,8 @@ inline constexpr double low_mean_impulse_time = 0.5;  // s
 inline constexpr double squeezed_share = 0.04, never_squeezed = 1e6;
 // Contacts become stiffer over this many steps after the step has become shorter. If they followed
 // at once, an overlap of a long step would be pushed out in a short one so fast that the next long
-// step would carry the bodies far: with steps of 1/15 and 1/900 s in turn, a stack of ten moves 9
-// m.
+// step would carry the bodies far: with steps of 1/15 and 1/900 s in turn, a stack of ten moves by
+// 9 m.
 inline constexpr double stiffening_steps = 20;
 // Gauss-Seidel sweeps over the points of one manifold in a pass. Tall and heavily loaded islands,
 // whose sub-steps are short, use one in the relaxing pass. With longer sub-steps, one sweep would

@@ -78,8 +78,8 @@ void prepare_body(const StepContext& step, double h, std::uint32_t hot_index) {
     }
     // The gyroscopic spin change of a free step, distributed evenly over the sub-steps: it
     // conserves angular momentum as a free step does. integrate_gyroscopic() changes the spin of
-    // gyroscopic bodies in each sub-step. Isotropic bodies have no such change.
-    // Neither do bodies with locked rotations.
+    // gyroscopic bodies in each sub-step. Isotropic bodies and bodies with locked rotations have no
+    // such change.
     const bool torque_alone = cold.isotropic || (cold.locks & all_rotations) != 0 || gyroscopic;
     const Vec3 spin_up = torque_alone ? inverse_inertia * warm.torque
                                       : (free_spin(warm, cold, step.dt).w - warm.w) / step.dt;

@@ -199,9 +199,6 @@ inline constexpr double contact_patch = 0.04;
 // slower bounces are noise.
 inline constexpr double restitution_speed = 0.3;  // m/s
 inline constexpr double usual_rate = 60;          // Hz
-// Pairs that overlap by more than this fraction of the thickness of the thinner body are left to
-// the contact solver, even if they bounce.
-inline constexpr double bouncing_overlap = 0.25;
 // Contacts do not slow a kinematic body. Bodies that it hits wake as if it had this many times
 // their mass.
 inline constexpr double kinematic_mass_ratio = 100;

@@ -97,12 +97,6 @@ bool will_bounce(const StepContext& step, const Contact& c, const Manifold& m, b
         return cold.type == BodyType::dynamic && had_contacts(step.scratch.contacts, cold);
     };
     if (m.count > 1 && touching) return false;
-    // A sweep finds no impact of bodies that overlap from its start on, so they would sink further.
-    const BodyCold &cold_a = world.bodies.cold[c.body_a], &cold_b = world.bodies.cold[c.body_b];
-    const double thin = cold_b.type == BodyType::dynamic
-                            ? minimum(cold_a.inner_radius, cold_b.inner_radius)
-                            : cold_a.inner_radius;
-    if (smallest_gap(m) < -tuning::bouncing_overlap * thin) return false;
     if (m.count > 1 && smallest_gap(m) <= 2 * tuning::sweep_gap * scale &&
         world.def.gravity != Vec3{} && (leans(c.body_a) || leans(c.body_b)))
         return false;

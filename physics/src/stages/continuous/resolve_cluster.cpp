@@ -14,6 +14,8 @@
 #include "physics/src/stages/continuous/toi_motion.h"
 #include "physics/src/stages/continuous/toi_policy.h"
 #include "physics/src/state/contact_graph.h"
+#include "physics/src/state/pair_properties.h"
+#include "physics/src/state/shape_proxy.h"
 
 namespace jostle::physics {
 namespace {
@@ -39,7 +41,13 @@ public:
     std::optional<ResolvedCluster> run() {
         const WorldState& world = state_.world;
         const std::uint32_t other_body = world.shapes.shapes[t_.other_shape].body;
-        if (!bounces_alone(state_.step, t_.own_shape, t_.other_shape)) return std::nullopt;
+        // Where slower impacts end, the order of impacts is not visible.
+        const ShapeRecord &own = world.shapes.shapes[t_.own_shape],
+                          &other = world.shapes.shapes[t_.other_shape];
+        if (!(pair_restitution(own.material, other.material) * t_.closing > bounce_speed_) ||
+            !(may_branch(t_.body) || may_branch(other_body)) ||
+            !bounces_alone(state_.step, t_.own_shape, t_.other_shape))
+            return std::nullopt;
         DeflectedBody a = body_at_impact(state_, t_.body, at_),
                       b = body_at_impact(state_, other_body, at_);
         std::vector<Neighbour> first;
@@ -86,6 +94,7 @@ private:
             const bool is_a = c.body_a == body;
             const std::uint32_t own = is_a ? c.shape_a : c.shape_b,
                                 other = is_a ? c.shape_b : c.shape_a;
+            if (!is_near(body, other)) return;
             if (!bounces_alone(state_.step, own, other) || !may_hit(state_, own, other)) return;
             Neighbour n{own, other, touching_points(own, other)};
             if (!n.points.empty()) found.push_back(std::move(n));
@@ -96,6 +105,36 @@ private:
         return found;
     }
 
+    // Returns whether the bounding spheres touch at the time of the impact, or the sphere of the
+    // body and the box of a shape that does not move.
+    bool is_near(std::uint32_t body, std::uint32_t other) const {
+        const WorldState& world = state_.world;
+        const std::uint32_t other_body = body_of(other);
+        const BodyCold &cold = world.bodies.cold[body], &cold_other = world.bodies.cold[other_body];
+        const double near = 2 * sweep_gap_of(cold, cold_other);
+        const Vec3 center = center_at(sweep_of(state_, body), at_);
+        if (cold_other.type != BodyType::dynamic) {
+            const ShapeRecord& s = world.shapes.shapes[other];
+            const Aabb box = grow({center, center}, cold.radius + near);
+            return is_plane(s) ? reaches_plane(world, s, box) : overlap(box, s.fat);
+        }
+        const double reach = cold.radius + cold_other.radius + near;
+        return length_squared(center - center_at(sweep_of(state_, other_body), at_)) <=
+               reach * reach;
+    }
+    // Returns whether more than two bodies are near a body, so that it may touch two others.
+    bool may_branch(std::uint32_t body) const {
+        const BodyCold& cold = state_.world.bodies.cold[body];
+        if (cold.type != BodyType::dynamic) return false;
+        int count = 0;
+        for_each_contact(state_.world.contacts, cold, [&](std::uint32_t contact) {
+            const Contact& c = state_.world.contacts.contacts[contact];
+            if (count > 2 || c.parent != none) return;
+            count += is_near(body, c.body_a == body ? c.shape_b : c.shape_a) ? 1 : 0;
+        });
+        return count > 2;
+    }
+
     std::vector<ImpactPoint> touching_points(std::uint32_t own, std::uint32_t other) {
         const WorldState& world = state_.world;
         const std::uint32_t body = body_of(own), other_body = body_of(other);
@@ -103,11 +142,6 @@ private:
         const Sweep sweep = sweep_of(state_, body), sweep_other = sweep_of(state_, other_body);
         if (at_ < sweep.from || at_ < sweep_other.from) return {};
         const double near = 2 * sweep_gap_of(cold, cold_other);
-        if (cold_other.type == BodyType::dynamic) {
-            const double reach = cold.radius + cold_other.radius + near;
-            if (length_squared(center_at(sweep, at_) - center_at(sweep_other, at_)) > reach * reach)
-                return {};
-        }
         return points_touching(swept_shape(world, own, sweep),
                                swept_shape(world, other, sweep_other), at_, near);
     }

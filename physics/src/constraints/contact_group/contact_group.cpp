@@ -95,6 +95,7 @@ void ContactGroup::set(std::vector<SolverBody*> bodies, std::vector<ManifoldOfGr
     }
     matrix_.set_pattern(first);
     impulses_.clear();
+    unsolved_ = 0;
 }
 
 void ContactGroup::load_bodies() {
@@ -243,6 +244,14 @@ void ContactGroup::store() const {
     }
 }
 
+bool ContactGroup::find_solution(double tolerance) {
+    if (unsolved_ >= max_unsolved) return false;
+    if (!impulses_.empty() && solver_.still_solves(problem_, y_, tolerance)) return true;
+    if (solver_.solve(problem_, matrix_, y_, tolerance)) return true;
+    unsolved_++;
+    return false;
+}
+
 bool ContactGroup::run(const ContactSettings& settings, bool relaxing) {
     load_bodies();
     problem_.clear(static_cast<int>(bodies_.size()));
@@ -255,8 +264,7 @@ bool ContactGroup::run(const ContactSettings& settings, bool relaxing) {
     for (std::size_t i = 0; i < impulses_.size(); i++) problem_.rows[i].impulse = impulses_[i];
     start_.resize(problem_.rows.size());
     for (std::size_t i = 0; i < start_.size(); i++) start_[i] = problem_.rows[i].impulse;
-    const bool same = !impulses_.empty() && solver_.still_solves(problem_, y_, tolerance);
-    const bool solved = same || solver_.solve(problem_, matrix_, y_, tolerance);
+    const bool solved = find_solution(tolerance);
     impulses_.clear();
     if (solved) {
         for (const GroupRow& row : problem_.rows) impulses_.push_back(row.impulse);

@@ -34,7 +34,8 @@ public:
 
     // Before the bodies move: gaps close at most, and overlaps are pushed out. Returns whether a
     // solution was found. Otherwise the bodies have the velocities of the impulses of the pass
-    // before, from which sweeps can start.
+    // before, from which sweeps can start. After max_unsolved passes without a solution none is
+    // looked for until the next set().
     bool solve(const ContactSettings& settings) { return run(settings, false); }
     // The same after they moved, without push-out.
     bool relax(const ContactSettings& settings) { return run(settings, true); }
@@ -48,7 +49,10 @@ private:
         double angular[9];  // C with C C^T = the inverse inertia, row by row
     };
 
+    static constexpr int max_unsolved = 2;
+
     bool run(const ContactSettings& settings, bool relaxing);
+    bool find_solution(double tolerance);
     void load_bodies();
     void load_manifold(const ContactSettings& settings, const ManifoldOfGroup& manifold,
                        bool relaxing);
@@ -67,6 +71,7 @@ private:
     std::vector<double> y_, velocity_;
     std::vector<double> start_;     // impulses before the pass
     std::vector<double> impulses_;  // of all rows; empty if the last pass found no solution
+    int unsolved_ = 0;              // passes since set()
 };
 
 }  // namespace jostle::physics

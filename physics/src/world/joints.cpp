@@ -9,6 +9,7 @@
 #include "jostle/physics/joint_fields.h"
 #include "jostle/physics/world.h"
 #include "physics/src/constraint_graph/joint_memory.h"
+#include "physics/src/constraints/direct/joint_net.h"
 #include "physics/src/constraints/joints/angles.h"
 #include "physics/src/constraints/joints/axes_layout.h"
 #include "physics/src/foundation/messages.h"

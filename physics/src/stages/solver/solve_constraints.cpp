@@ -41,6 +41,7 @@ Skipped solve_constraints(StepContext& step) {
         return "nothing touches and nothing is jointed";
     if (!scratch.bodies.all.empty()) {
         resize_records(bodies, scratch);
+        scratch.limited_groups.resize(step.world.joints.joints.size());
         run_tasks(step, make_tasks(step));
     }
     solve_joint_groups(step);

@@ -20,11 +20,11 @@ using Pair = LimitedGroups::Pair;
 
 // A group is solved once more if a sub-step would end with a wider gap or further beyond a limit
 // than this.
-constexpr double held_gap = 1e-3;     // m
-constexpr double held_angle = 0.012;  // rad
-constexpr double held_left = 5e-5;    // m: what may remain
+constexpr double held_gap = 2e-3;     // m
+constexpr double held_angle = 0.015;  // rad
+constexpr double held_left = 2e-4;    // m: what may remain
 // A body that turns by less than this in a sub-step opens no joint by as much.
-constexpr double straight_turn = 0.08;  // rad
+constexpr double straight_turn = 0.12;  // rad
 constexpr int groups_per_share = 4;     // of a thread
 // An angle may change faster than two bodies turn against each other.
 constexpr double angle_gain = 1.5;

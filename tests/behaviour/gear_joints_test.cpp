@@ -147,6 +147,59 @@ TEST(Rack, falls_at_the_analytic_rate_with_the_pinion_inertia) {
     EXPECT_LT(worst, 1e-3);
 }
 
+// A pinion that hangs beside its axle drives a rack along x, or a second such wheel.
+struct Eccentric {
+    World world;
+    BodyId first, second;
+    Transform axle{{-0.3, 0, 0}, {}};
+
+    explicit Eccentric(bool gear) : world(make_world({.substeps = 4})) {
+        first = wheel({0, 0, 0});
+        const Quat along = from_axis_angle({0, 1, 0}, pi / 2);
+        if (gear) {
+            second = wheel({3, 0, 0});
+            join(world, first, second, GearJoint{.ratio = 2.5}, axle, axle);
+            return;
+        }
+        second = block(world, {.geometry = Box{{0.5, 0.1, 0.1}}, .position = {2, 0, 0}});
+        join(world, {}, second, SliderJoint{}, {{2, 0, 0}, along}, {{}, along});
+        join(world, first, second, RackJoint{.radius = 0.2}, axle, {{}, along});
+    }
+    BodyId wheel(Vec3 at) {
+        const BodyId body =
+            block(world, {.geometry = Box{{0.4, 0.1, 0.1}}, .position = at + Vec3{0.3, 0, 0}});
+        join(world, {}, body, HingeJoint{}, {at, {}}, axle);
+        return body;
+    }
+    double energy() const {
+        const WorldSummary sum = world.summary();
+        return sum.kinetic_energy + sum.potential_energy;
+    }
+};
+
+// 60 Hz with 4 sub-steps: 1e-4 of the largest kinetic energy, and the ratio exactly.
+TEST(GearJoints, eccentric_wheels_keep_their_energy_and_ratio) {
+    for (const bool gear : {false, true}) {
+        SCOPED_TRACE(gear ? "gear" : "rack");
+        Eccentric it(gear);
+        Counted turn, other;
+        const double before = it.energy();
+        double worst = 0, kinetic = 0, off = 0;
+        for (int i = 0; i < 600; i++) {
+            must(it.world.step(1.0 / 60));
+            turn.see(it.world, it.first);
+            other.see(it.world, it.second);
+            kinetic = std::max(kinetic, it.world.summary().kinetic_energy);
+            worst = std::max(worst, std::abs(it.energy() - before));
+            off = std::max(
+                off, gear ? std::abs(turn.turn + 2.5 * other.turn)
+                          : std::abs(position_of(it.world, it.second).x - 2 - 0.2 * turn.turn));
+        }
+        EXPECT_LT(worst, 1e-4 * kinetic);
+        EXPECT_LT(off, 1e-7);
+    }
+}
+
 struct Atwood {
     World world = make_world();
     BodyId left, right;
@@ -170,6 +223,40 @@ TEST(Pulley, matches_the_atwood_machine) {
     EXPECT_NEAR(position_of(it.world, it.left).y, -9.81 / 10, 0.03);
     EXPECT_NEAR(must(it.world.joint(it.rope)).travel, 10, 1e-3);
     EXPECT_NEAR(must(it.world.joint(it.rope)).force.y, 2.4 * 9.81, 0.05);
+}
+
+double energy_of(const World& world) {
+    const WorldSummary sum = world.summary();
+    return sum.kinetic_energy + sum.potential_energy;
+}
+
+// For 10 s, in which the weights move by 98 m: the parabola, and the energy.
+TEST(Pulley, atwood_machine_keeps_its_energy) {
+    Atwood it(3, 2, {.point_a = {-1, 200, 0}, .point_b = {1, 200, 0}, .length = 400});
+    const double before = energy_of(it.world);
+    run(it.world, 10);
+    EXPECT_NEAR(position_of(it.world, it.left).y, -0.5 * 9.81 / 5 * 100, 1e-6);
+    EXPECT_NEAR(must(it.world.joint(it.rope)).travel, 400, 1e-9);
+    EXPECT_NEAR(energy_of(it.world), before, 1e-6);
+}
+
+// One weight swings: the other one's tension varies, and the machine has no closed form.
+TEST(Pulley, error_falls_with_the_square_of_the_step) {
+    const auto swing = [](double hz, int substeps) {
+        World world = make_world({.substeps = substeps});
+        const BodyId left = block(world, {.geometry = Sphere{0.05}, .position = {-1, -1, 0}});
+        const BodyId right = block(
+            world, {.geometry = Sphere{0.05}, .position = {1 + std::sin(1.0), -std::cos(1.0), 0}});
+        must(world.set_mass(left, 3));
+        must(world.set_mass(right, 1));
+        join(world, left, right, PulleyJoint{{-1, 0, 0}, {1, 0, 0}, 2});
+        for (int i = 0; i < 2 * hz; i++) must(world.step(1 / hz));
+        return position_of(world, right);
+    };
+    const Vec3 exact = swing(480, 8);
+    const double coarse = length(swing(60, 4) - exact), fine = length(swing(120, 4) - exact);
+    EXPECT_LT(coarse, 1e-3);
+    EXPECT_GT(coarse, 3.5 * fine);
 }
 
 // A tackle of two: 2 kg hold 4 kg.

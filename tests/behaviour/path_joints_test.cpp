@@ -79,6 +79,44 @@ TEST(Path, cycloid_is_isochronous) {
     }
 }
 
+struct Looped {
+    Vec3 end;           // after 2 s
+    double energy = 0;  // J: largest change in 10 s
+};
+// 1 kg on a circle of 1 m, started at an angle with a speed of 8 m/s or at rest.
+Looped swing_on_circle(double start, double speed, double hz) {
+    World world = make_world({.substeps = 4});
+    const BodyId bead = bead_at(world, {std::sin(start), -std::cos(start), 0});
+    must(world.set_mass(bead, 1));
+    must(world.set_velocity(bead, {speed, 0, 0}, {}));
+    wire(world, bead, circle(1));
+    Looped found;
+    const auto energy = [&] {
+        const WorldSummary sum = world.summary();
+        return sum.kinetic_energy + sum.potential_energy;
+    };
+    const double before = energy();
+    for (int i = 1; i <= 10 * hz; i++) {
+        must(world.step(1 / hz));
+        found.energy = std::max(found.energy, std::abs(energy() - before));
+        if (i == 2 * hz) found.end = position_of(world, bead);
+    }
+    return found;
+}
+
+TEST(Path, bead_keeps_its_energy_on_a_circle) {
+    EXPECT_LT(swing_on_circle(1.5, 0, 60).energy, 1e-4 * 9.81 * (1 - std::cos(1.5)));
+    EXPECT_LT(swing_on_circle(0, 8, 60).energy, 2e-4 * 32);
+}
+
+TEST(Path, error_falls_with_the_square_of_the_step) {
+    const Vec3 exact = swing_on_circle(0, 8, 960).end;
+    const double coarse = length(swing_on_circle(0, 8, 60).end - exact);
+    const double fine = length(swing_on_circle(0, 8, 120).end - exact);
+    EXPECT_LT(coarse, 5e-3);
+    EXPECT_GT(coarse, 3.5 * fine);
+}
+
 // Down a wire without friction the speed is that of the height, sqrt(2 g h).
 TEST(Path, conserves_energy) {
     World world = make_world();

@@ -82,8 +82,6 @@ COVERED_BY = {
         (["behaviour/gear_joints_test.cpp"], "gears, racks and pulleys against closed forms"),
     "constraints/joints/joint_lane.h":
         (["behaviour/joints_test.cpp", "behaviour/axis_joints_test.cpp"], "every number of a joint goes through it"),
-    "constraints/joints/path_curve.cpp":
-        (["behaviour/path_joints_test.cpp"], "circles, cycloids and polylines, whose lengths and periods are known"),
     "constraints/joints/write_axes.cpp":
         (["behaviour/axis_joints_test.cpp"], "limits, motors, springs and friction of every axis are written there"),
     "constraint_graph/joint_memory.h":

@@ -36,9 +36,10 @@ struct alignas(32) JointAngularWide {
     float lower[8], upper[8], swing[8], spring[8], motor[8];  // impulses along the kind's own rows
     float lower_at[8], upper_at[8];                           // limits, rad or m
     float swing_at[8], spring_at[8];                          // rad; rad or m
-    float motor_speed[8], motor_most[8];                      // rad/s, N m s per sub-step
-    SoftRow spring_soft;  // for a fixed joint: of its rotational rows
-    SoftRow point_soft;   // fixed joints only
+    float margin[8];  // angle left to the nearest limit, rad, as the last pass found it
+    float motor_speed[8], motor_most[8];  // rad/s, N m s per sub-step
+    SoftRow spring_soft;                  // for a fixed joint: of its rotational rows
+    SoftRow point_soft;                   // fixed joints only
 };
 
 // Additional data of velocity rows: VelocityRow (jostle/physics/joint_defs.h) in floats.

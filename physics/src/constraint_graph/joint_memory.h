@@ -46,7 +46,7 @@ inline constexpr bool has_gear_memory = is_geared<Kind> && !std::is_same_v<Kind,
 
 // Ball joints with a drive or friction use their own kernel, so that other ball joints pay nothing
 // for them.
-// Hinges with limits are solved once more after contacts, as cones are.
+// Hinges with limits, and cones, are held after contacts (stages/solver/hold_limits.h).
 inline constexpr std::uint32_t driven_ball = joint_kinds, limited_hinge = joint_kinds + 1,
                                kernel_kinds = joint_kinds + 2;
 inline std::uint32_t kernel_of(const JointKind& kind) {
@@ -57,7 +57,7 @@ inline std::uint32_t kernel_of(const JointKind& kind) {
     if (hinge != nullptr && hinge->limit.enabled) return limited_hinge;
     return driven ? driven_ball : static_cast<std::uint32_t>(kind.index());
 }
-inline bool is_repeated_kernel(std::uint32_t kernel) {
+inline bool is_limited_kernel(std::uint32_t kernel) {
     return kernel == limited_hinge ||
            kernel == JointKind(std::in_place_type<ConeTwistJoint>).index();
 }

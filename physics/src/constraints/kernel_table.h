@@ -137,7 +137,6 @@ const Kernels table{
     .warm_start_joints = warm_start_joint_range,
     .solve_joints = solve_joint_range<false, false>,
     .relax_joints = solve_joint_range<true, true>,
-    .relax_joints_first = solve_joint_range<true, false>,
     .factor_batch = factor_batch,
     .solve_batch = solve_batch<BatchPass::first>,
     .solve_batch_again = solve_batch<BatchPass::again>,

@@ -65,7 +65,7 @@ struct Kernels {
     void (*accelerate_first)(const BodyRange&);
     void (*accelerate)(const BodyRange&);
     void (*advance)(const BodyRange&, float h);
-    JointPass warm_start_joints, solve_joints, relax_joints, relax_joints_first;
+    JointPass warm_start_joints, solve_joints, relax_joints;
     // Batches of directly solved groups. factor_batch reads the current poses; the others solve
     // velocities. solve_batch_again runs after contacts have changed the velocities.
     void (*factor_batch)(const BatchView&, const SolverBody*, const JointStep&);

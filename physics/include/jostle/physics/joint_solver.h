@@ -38,9 +38,9 @@ enum class JointSolver : std::uint8_t {
     /// Falls back to `automatic`:
     /// - above this limit, and for nets of more than 2048 joints;
     /// - if a listener receives sub-steps, or a body has exactly one locked rotation;
-    /// - for gears, racks, pulleys, paths, grabs and velocity rows, driven orientations, springs
-    ///   with a maximum force or torque, ball and cone-twist joints with friction, soft fixed
-    ///   joints, and ropes of length zero;
+    /// - for grabs, velocity rows, paths with kinks, driven orientations, springs with a maximum
+    ///   force or torque, ball and cone-twist joints with friction, soft fixed joints, and ropes of
+    ///   length zero;
     /// - with contacts, for everything except the points of ball, hinge, cone-twist and rigid fixed
     ///   joints.
     ///

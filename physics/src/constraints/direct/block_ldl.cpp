@@ -14,10 +14,14 @@ constexpr int max_block_rows = BlockLdl::max_rows;
 
 // Inverts a pivot block of n rows by its own L D L^T. `original`: its diagonal before the
 // elimination. Returns the number of dependent rows.
-int invert_pivot(const double* block, int n, const double* original, double dependent,
+// kRows: n, 0 if it is not known.
+template <int kRows>
+int invert_block(const double* block, int rows, const double* original, double dependent,
                  double* inverse) {
-    double lower[max_block_rows][max_block_rows] = {}, pivot[max_block_rows],
-           reciprocal[max_block_rows], x[max_block_rows][max_block_rows] = {};
+    const int n = kRows != 0 ? kRows : rows;
+    // Below the diagonals; the rest is not used.
+    double lower[max_block_rows][max_block_rows], pivot[max_block_rows], reciprocal[max_block_rows],
+        x[max_block_rows][max_block_rows];
     ASSERT(n >= 1 && n <= max_block_rows);
     int skipped_rows = 0;
     for (int j = 0; j < n; j++) {
@@ -48,6 +52,15 @@ int invert_pivot(const double* block, int n, const double* original, double depe
             inverse[i * n + j] = inverse[j * n + i] = s;
         }
     return skipped_rows;
+}
+
+int invert_pivot(const double* block, int n, const double* original, double dependent,
+                 double* inverse) {
+    const auto invert = n == 3   ? invert_block<3>
+                        : n == 5 ? invert_block<5>
+                        : n == 6 ? invert_block<6>
+                                 : invert_block<0>;
+    return invert(block, n, original, dependent, inverse);
 }
 
 // The same for a negative definite block.

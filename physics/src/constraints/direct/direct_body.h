@@ -26,6 +26,10 @@ struct DirectBody {
     Quat q;     // orientation of the principal axes
     Vec3 p, l;  // kg m/s, kg m^2/s about the centre, world
     Vec3 v, w;  // state of bodies that are not pushed; scratch for others
+    // With straight drifts (hold_joints.cpp) the solver that moves the body turns it from this
+    // orientation by the sum of this rotation vector and the spin times h.
+    Quat turned_from;
+    Vec3 turned;
     // Derived from the state.
     Mat3 axes;
     Mat3 inverse_inertia;  // world

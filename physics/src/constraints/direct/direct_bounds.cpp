@@ -122,7 +122,7 @@ bool DirectGroup::enforce_bounds(DirectJoint& joint, const double* value, double
     for (int row = joint.first_free_axis(); row < joint.rows(); row++) {
         FreeAxis& free_axis = joint.free_axes[as_index(row - joint.first_free_axis())];
         if (free_axis.at_limit != 0) {
-            if (value[row] * free_axis.at_limit >= 0) continue;
+            if (value[row] * free_axis.at_limit * (scale < 0 ? -1 : 1) >= 0) continue;
             if (at_velocities && free_axis.overrun) {
                 joint.force[row] = 0;
                 continue;
@@ -158,8 +158,7 @@ bool DirectGroup::reach_limits(double h, double time) {
         for (int row = joint.first_free_axis(); row < joint.rows(); row++) {
             FreeAxis& free_axis = joint.free_axes[as_index(row - joint.first_free_axis())];
             if (!free_axis.has_limit() || free_axis.at_limit != 0) continue;
-            const double value =
-                trial_value(joint, free_axis, bodies[as_index(joint.a)], bodies[as_index(joint.b)]);
+            const double value = trial_value(joint, free_axis, bodies);
             free_axis.at_limit = value < free_axis.lower ? 1 : (value > free_axis.upper ? -1 : 0);
             ASSERT(free_axis.lower <= free_axis.upper);
             if (free_axis.at_limit == 0) continue;
@@ -185,10 +184,25 @@ bool DirectGroup::reach_limits(double h, double time) {
     return changed;
 }
 
-bool DirectGroup::is_on_limit() const {
+// Identifies the set of active limits. The active limits of a set only press, and each of them may
+// do so while the group moves smoothly.
+std::uint64_t DirectGroup::active_limits() const {
+    std::uint64_t set = 0;
     for (const DirectJoint& joint : joints)
         for (const FreeAxis& free_axis : joint.free_axes)
-            if (free_axis.at_limit != 0) return true;
+            set = set * 3 + static_cast<std::uint64_t>(free_axis.at_limit + 1);
+    return set;
+}
+
+// Whether another set of limits is active, or an active one is overrun: the motion has jumps.
+bool DirectGroup::is_overrun_or_hit(std::uint64_t limits, double tolerance) const {
+    if (active_limits() != limits) return true;
+    for (const DirectJoint& joint : joints)
+        for (const FreeAxis& free_axis : joint.free_axes)
+            if (free_axis.at_limit != 0 &&
+                absolute(bounded_excess(free_axis, 0)) * (free_axis.is_linear() ? 1 : reach_) >
+                    tolerance)
+                return true;
     return false;
 }
 

@@ -5,6 +5,7 @@
 
 #include "jostle/base/check.h"
 #include "physics/src/constraints/direct/free_turn.h"
+#include "physics/src/constraints/joints/path_curve.h"
 
 namespace jostle::physics {
 namespace {
@@ -46,6 +47,10 @@ void DirectGroup::save(int depth) {
     for (const DirectBody& body : bodies) to.bodies.push_back({body.x, body.p, body.l, body.q});
     for (const DirectJoint& joint : joints) {
         to.joints.push_back({joint.force_sum, joint.torque_sum, {}});
+        SavedJoint& saved = to.joints.back();
+        saved.travels[0] = joint.path_at;
+        if (joint.is_gear())
+            for (int k = 0; k < 2; k++) saved.travels[k] = joint.gear[0].ends[k].travel;
         for (const FreeAxis& free_axis : joint.free_axes)
             to.free_axes.push_back({free_axis.at_limit, free_axis.actuation});
     }
@@ -69,6 +74,10 @@ void DirectGroup::restore(int depth) {
         DirectJoint& joint = joints[k];
         joint.force_sum = from.joints[k].force_sum;
         joint.torque_sum = from.joints[k].torque_sum;
+        joint.path_at = from.joints[k].travels[0];
+        if (joint.is_gear())
+            for (int end = 0; end < 2; end++)
+                joint.gear[0].ends[end].travel = from.joints[k].travels[end];
         for (FreeAxis& free_axis : joint.free_axes) {
             free_axis.at_limit = from.free_axes[next].at_limit;
             free_axis.actuation = from.free_axes[next++].actuation;
@@ -88,10 +97,28 @@ bool DirectGroup::compose(double h) {
     const double fine =
         minimum(minimum(1e-7, 0.07 * h * h * h), tolerance(h)) * minimum(1, 2 * reach_);
     const EnergyBooks books = open_books();
+    const std::uint64_t limits = active_limits();
+    if (curved_ && meets_bend(h)) return false;
     for (const double stage : suzuki_stages)
-        if (!step_rattle(h * stage, fine) || is_on_limit()) return false;
+        if (!step_rattle(h * stage, fine) || is_overrun_or_hit(limits, tolerance(h))) return false;
     return sprung_ ||
            keeps_energy(books, h, composed_bounds);  // books do not follow springs over stages
+}
+
+// Whether a body may pass points of its curve at which the curvature jumps: the stages of a
+// composition lose their order there. Its direction of motion may be off by the turn below.
+bool DirectGroup::meets_bend(double h) const {
+    constexpr double most = 1e-5;  // rad
+    for (const DirectJoint& joint : joints) {
+        if (joint.path == nullptr) continue;
+        const double travel = speed_along_path(joint, bodies) * h;
+        const double step = travel / path_speed_at(*joint.path, joint.path_at);
+        if (curvature_jumps(*joint.path, joint.path_at, joint.path_at + 1.25 * step) *
+                absolute(travel) >
+            most)
+            return true;
+    }
+    return false;
 }
 
 // A composition of the whole step, or of its halves or quarters. Returns false, and leaves the
@@ -182,10 +209,9 @@ void DirectGroup::advance(double dt, int substeps) {
 }
 
 // A composition has five steps, forwards and backwards. It requires that no free axis has damping,
-// friction or an active limit. Springs need several parts per radian.
+// or friction, and that no limit is reached or left. Springs need several parts per radian.
 int DirectGroup::parts_of(double dt, int substeps) {
-    if (damped_ || actuated_ || outside != nullptr || substeps < 5 || (!smooth_ && is_on_limit()))
-        return 0;
+    if (damped_ || actuated_ || outside != nullptr || substeps < 5) return 0;
     const double required = spring_rate_ * dt / followed_spring;
     // For a large group the cost would exceed the benefit for its oscillations.
     const double many = maximum(1, static_cast<double>(joints.size()) / springs_followed);

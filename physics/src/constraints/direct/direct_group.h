@@ -57,6 +57,18 @@ public:
     void advance(double dt, int substeps);
     const Count& count() const { return count_; }
 
+    struct HoldTolerance {
+        double gap, angle;  // m, rad: smaller errors need no change
+        double left;        // m: largest error that a change may leave
+    };
+    // Changes p and l so that the bodies, moving and turning straight on for h, end where the
+    // joints hold and no limit is exceeded. Returns false if nothing is changed. Uses the current
+    // inverse inertia, which need not be along the axes. Springs and motors must be absent.
+    bool hold_joints(double h, const HoldTolerance& tolerance);
+    // The largest error at the current state, m: rotations and angles beyond limits are scaled with
+    // the length of the group.
+    double joint_error();
+
 private:
     struct SavedBody {
         Vec3 x, p, l;
@@ -65,6 +77,7 @@ private:
     struct SavedJoint {
         Vec3 force_sum, torque_sum;
         double force[DirectJoint::max_rows];
+        double travels[2] = {};  // of the ends of a gear; parameter of a curve
     };
     struct SavedFreeAxis {
         int at_limit, actuation;
@@ -75,10 +88,20 @@ private:
         std::vector<SavedFreeAxis> free_axes;
     };
 
+    // A row of a joint as it acts on one body.
+    struct RowPart {
+        Vec3 linear, angular;
+    };
+
     // ---- direct_pattern.cpp ----
     void list_what_acts();
     bool find_pattern(std::int64_t max_work);
     void assemble(double linear, const Mat3 DirectBody::*response);
+    RowPart row_part(const DirectJoint& joint, int row, int body) const;
+    void assemble_gears(const JointSystemBlock& block, double linear,
+                        const Mat3 DirectBody::*response);
+    void assemble_hub_block(const DirectJoint& joint, const JointHubBlock& coupling,
+                            double* block) const;
     void assemble_hubs(double linear, const Mat3 DirectBody::*response);
     void solve();  // right_side_ in, unknowns out
     void regularize(double compliance);
@@ -120,6 +143,8 @@ private:
     void damp(double time);
     void write_all_vectors();
     void factor_here();  // at the current state, unless already factored
+    void push_gear(const DirectJoint& joint, double impulse);
+    void record_gear(DirectJoint& joint, double impulse);
     void push(const DirectJoint& joint, const double* impulse);
     void act(DirectJoint& joint, const double* impulse);
     void record(DirectJoint& joint, const double* impulse);
@@ -141,14 +166,23 @@ private:
     bool enforce_bounds(DirectJoint& joint, const double* value, double scale, double time,
                         bool at_velocities = false);
     bool reach_limits(double h, double time);
-    bool is_on_limit() const;
+    bool is_overrun_or_hit(std::uint64_t limits, double tolerance) const;
+    std::uint64_t active_limits() const;
+    bool meets_bend(double h) const;
+
+    // ---- hold_joints.cpp ----
+    bool exceeds_limits(double tolerance) const;
+    void release_all();
 
     // ---- one file each ----
     bool step_rattle(double h, double tolerance);
+    void drift_all(double h);
     bool solve_positions(double h, double tolerance);
     bool step_energy(double h, double tolerance);
     void begin_energy_step(double h);
     void add_known_pushes(double h);
+    void stiffen_gear(const DirectJoint& joint, double force);
+    void add_gear_impulse(const DirectJoint& joint, double linear, double angular);
     double residual_of(double h, bool stiffness_too);
     void correct(double h, bool again);
     bool solve_energy_positions(double h, double tolerance);
@@ -169,7 +203,8 @@ private:
     static constexpr int bound_rounds = 4;
 
     BlockLdl matrix_;
-    std::vector<JointSystemBlock> system_blocks_;
+    std::vector<JointSystemBlock> system_blocks_,
+        gear_blocks_;  // gear_blocks_: one of the two joints is a gear
     JointHubs hubs_;
     std::vector<int> pattern_;  // bodies and rows of each joint for which the pattern is valid
     std::vector<double> right_side_;    // indexed by the matrix's rows
@@ -184,6 +219,7 @@ private:
     bool actuated_ = false;   // by motors or friction
     bool limited_ = false;    // some free axes have limits
     bool locked_ = false;     // bodies have locked axes
+    bool straight_ = false;   // bodies keep their spin instead of their angular momentum
     bool energy_ = false;     // the current step is an energy-momentum step
     double spring_rate_ = 0;  // rad/s: upper bound of the spring rates
     double step_ = 0;         // s: length of the current step, for springs
@@ -191,6 +227,7 @@ private:
     int halvings_ = 0;        // initial number of halvings of a step
     bool resorting_ = false;  // velocity fallback for the rest of the advance
     bool looped_ = false;     // some joints close loops
+    bool curved_ = false;     // some joints hold a body on a curve
     bool net_ = false;        // so many do that it is nearly singular as soon as it bends
     double reach_ = 0;        // m: characteristic length of the group
     Count count_;

@@ -2,6 +2,7 @@
 #include "physics/src/constraints/direct/direct_joint.h"
 
 #include "jostle/base/check.h"
+#include "physics/src/constraints/joints/path_curve.h"
 
 namespace jostle::physics {
 namespace {
@@ -43,21 +44,78 @@ void copy_free_axes(DirectJoint& j) {
     }
 }
 
+// b's end near the curve, in the frame of the curve.
+struct OnCurve {
+    Vec3 at;
+    double parameter;
+    CurvePoint nearest;
+};
+OnCurve on_curve(const DirectJoint& j, Quat a, Vec3 apart) {
+    const Vec3 at = inverse_rotate(a * j.frame_a, apart);
+    const double parameter = follow_path(*j.path, at, j.path_at);
+    return {at, parameter, curve_point_at(*j.path, parameter)};
+}
+
+// The two directions across the tangent, principal axes of a, that differ least from the current
+// ones.
+struct AcrossCurve {
+    Vec3 first, second;
+};
+AcrossCurve across_curve(const DirectJoint& j, Vec3 tangent) {
+    const Vec3 along = rotate(j.frame_a, tangent);
+    const Vec3 first = normalized(j.across[0] - along * dot(along, j.across[0]));
+    return {first, cross(along, first)};
+}
+
+void find_on_curve(const DirectJoint& j, FreeAxisEnds& ends) {
+    if (j.path == nullptr || j.path_travels.empty()) return;
+    const OnCurve b = on_curve(j, ends.a, ends.apart);
+    ends.on_curve = b.at;
+    ends.tangent = rotate(ends.a * j.frame_a, b.nearest.tangent);
+    // Beyond the end of an open curve, along its tangent.
+    ends.travel = travel_at(*j.path, j.path_travels, b.parameter) +
+                  dot(b.nearest.tangent, b.at - b.nearest.position);
+}
+
 FreeAxisEnds ends_of(const DirectJoint& j, const DirectBody& a, const DirectBody& b) {
     const Vec3 arm_a = a.axes * j.arm_a, arm_b = b.axes * j.arm_b;
-    return {arm_a, arm_b, (b.x + arm_b) - (a.x + arm_a), a.q, b.q, a.axes, b.axes};
+    FreeAxisEnds ends{arm_a, arm_b, (b.x + arm_b) - (a.x + arm_a), a.q, b.q, a.axes, b.axes};
+    find_on_curve(j, ends);
+    return ends;
 }
 FreeAxisEnds trial_ends(const DirectJoint& j, const DirectBody& a, const DirectBody& b) {
     const Vec3 arm_a = a.axes1 * j.arm_a, arm_b = b.axes1 * j.arm_b;
-    return {arm_a, arm_b, (b.x1 + arm_b) - (a.x1 + arm_a), a.q1, b.q1, a.axes1, b.axes1};
+    FreeAxisEnds ends{arm_a, arm_b, (b.x1 + arm_b) - (a.x1 + arm_a), a.q1, b.q1, a.axes1, b.axes1};
+    find_on_curve(j, ends);
+    return ends;
 }
 
-void measure_at(DirectJoint& j, Vec3 xa, const Mat3& a, Vec3 xb, const Mat3& b, double* error) {
+const DirectBody& body_at(std::span<const DirectBody> bodies, int body) {
+    return bodies[static_cast<std::size_t>(body)];
+}
+
+// The row of a slack rope is inactive.
+void drop_slack(DirectJoint& j) {
+    if (j.off[0]) clear_parts(j.gear[0]);
+}
+
+void measure_curve(const DirectJoint& j, const Quat& a, Vec3 apart, double* error) {
+    const OnCurve b = on_curve(j, a, apart);
+    const AcrossCurve across = across_curve(j, b.nearest.tangent);
+    const Vec3 off = rotate(j.frame_a, b.at - b.nearest.position);
+    error[0] = dot(across.first, off);
+    error[1] = dot(across.second, off);
+}
+
+void measure_at(DirectJoint& j, Vec3 xa, const Mat3& a, const Quat& qa, Vec3 xb, const Mat3& b,
+                double* error) {
     const Vec3 apart = (xb + b * j.arm_b) - (xa + a * j.arm_a);
     if (j.is_ball())
         error[0] = apart.x, error[1] = apart.y, error[2] = apart.z;
     else if (j.kind == DirectJoint::Points::rod)
         error[0] = length(apart) - j.distance;
+    else if (j.path != nullptr)
+        measure_curve(j, qa, apart, error);
     else
         for (int k = 0; k < j.points; k++) error[k] = dot(a * j.across[k], apart);
     for (int k = 0; k < j.turns; k++) error[j.points + k] = dot(a * j.turn_a[k], b * j.turn_b[k]);
@@ -100,9 +158,25 @@ double spring_pull(const FreeAxis& free_axis, double h) {
     return maximum(free_axis.stiffness, min_stiffness) * h * end_share(free_axis, h);
 }
 
+void write_vectors(DirectJoint& j, std::span<const DirectBody> bodies) {
+    if (!j.is_gear()) return write_vectors(j, body_at(bodies, j.a), body_at(bodies, j.b));
+    write_gear(j.gear[0], bodies);
+    for (FreeAxis& free_axis : j.free_axes) free_axis.value = j.gear[0].value;
+    drop_slack(j);
+}
+
 void write_vectors(DirectJoint& j, const DirectBody& a, const DirectBody& b) {
+    ASSERT(!j.is_gear());
     const Vec3 arm_a = a.axes * j.arm_a, arm_b = b.axes * j.arm_b;
     j.apart = (b.x + arm_b) - (a.x + arm_a);
+    if (j.path != nullptr) {
+        const OnCurve at = on_curve(j, a.q, j.apart);
+        const AcrossCurve across = across_curve(j, at.nearest.tangent);
+        j.path_at = at.parameter;
+        j.across[0] = across.first;
+        j.across[1] = across.second;
+        j.curvature = at.nearest.curvature;
+    }
     if (j.is_ball())
         write_ball(j, arm_a, arm_b, j.apart);
     else if (j.kind == DirectJoint::Points::rod)
@@ -117,7 +191,12 @@ void write_vectors(DirectJoint& j, const DirectBody& a, const DirectBody& b) {
     copy_free_axes(j);
 }
 
-void write_mean_vectors(DirectJoint& j, const DirectBody& a, const DirectBody& b) {
+void write_mean_vectors(DirectJoint& j, std::span<const DirectBody> bodies) {
+    if (j.is_gear()) {
+        write_mean_gear(j.gear[0], bodies);
+        return drop_slack(j);
+    }
+    const DirectBody &a = body_at(bodies, j.a), &b = body_at(bodies, j.b);
     const auto mean = [](const DirectBody& body, Vec3 v) {
         return (body.axes * v + body.axes1 * v) * 0.5;
     };
@@ -131,6 +210,17 @@ void write_mean_vectors(DirectJoint& j, const DirectBody& a, const DirectBody& b
         const Vec3 after = (b.x1 + b.axes1 * j.arm_b) - (a.x1 + a.axes1 * j.arm_a);
         const double sum = length(before) + length(after);
         write_line(j, 0, sum > 1e-12 ? (before + after) * (1 / sum) : Vec3{0, 1, 0}, arm_a, arm_b);
+    } else if (j.path != nullptr) {
+        // Across the chord from the start to the end of the step, so that the force does no work.
+        const Vec3 before = (b.x + b.axes * j.arm_b) - (a.x + a.axes * j.arm_a);
+        const Vec3 after = (b.x1 + b.axes1 * j.arm_b) - (a.x1 + a.axes1 * j.arm_a);
+        const Vec3 chord =
+            inverse_rotate(a.q1 * j.frame_a, after) - inverse_rotate(a.q * j.frame_a, before);
+        const double size = length(chord);
+        const AcrossCurve across = size > 1e-9 ? across_curve(j, chord * (1 / size))
+                                               : AcrossCurve{j.across[0], j.across[1]};
+        write_line(j, 0, mean(a, across.first), arm_a + apart, arm_b);
+        write_line(j, 1, mean(a, across.second), arm_a + apart, arm_b);
     } else {
         for (int k = 0; k < j.points; k++)
             write_line(j, k, mean(a, j.across[k]), arm_a + apart, arm_b);
@@ -142,8 +232,27 @@ void write_mean_vectors(DirectJoint& j, const DirectBody& a, const DirectBody& b
     copy_free_axes(j);
 }
 
-void measure_start(DirectJoint& j, const DirectBody& a, const DirectBody& b) {
-    measure_at(j, a.x, a.axes, b.x, b.axes, j.start);
+namespace {
+
+// At the state of write_vectors().
+void measure_gear_start(DirectJoint& j) {
+    j.start[0] = j.gear[0].value - j.gear[0].target;
+    for (FreeAxis& free_axis : j.free_axes) free_axis.start = j.gear[0].value;
+}
+
+void measure_gear(DirectJoint& j, std::span<const DirectBody> bodies, double h) {
+    const double sum = trial_sum(j.gear[0], bodies);
+    j.error[0] = sum - j.gear[0].target;
+    for (const FreeAxis& free_axis : j.free_axes)
+        j.error[0] = free_axis.at_limit != 0 ? free_axis_error(free_axis, sum, j.impulse[0], h) : 0;
+}
+
+}  // namespace
+
+void measure_start(DirectJoint& j, std::span<const DirectBody> bodies) {
+    if (j.is_gear()) return measure_gear_start(j);
+    const DirectBody &a = body_at(bodies, j.a), &b = body_at(bodies, j.b);
+    measure_at(j, a.x, a.axes, a.q, b.x, b.axes, j.start);
     if (j.free_axes.empty()) return;
     const FreeAxisEnds ends = ends_of(j, a, b);
     for (FreeAxis& free_axis : j.free_axes) {
@@ -152,8 +261,10 @@ void measure_start(DirectJoint& j, const DirectBody& a, const DirectBody& b) {
     }
 }
 
-void measure(DirectJoint& j, const DirectBody& a, const DirectBody& b, double h) {
-    measure_at(j, a.x1, a.axes1, b.x1, b.axes1, j.error);
+void measure(DirectJoint& j, std::span<const DirectBody> bodies, double h) {
+    if (j.is_gear()) return measure_gear(j, bodies, h);
+    const DirectBody &a = body_at(bodies, j.a), &b = body_at(bodies, j.b);
+    measure_at(j, a.x1, a.axes1, a.q1, b.x1, b.axes1, j.error);
     if (j.free_axes.empty()) return;
     const FreeAxisEnds ends = trial_ends(j, a, b);
     int row = j.first_free_axis();
@@ -165,9 +276,18 @@ void measure(DirectJoint& j, const DirectBody& a, const DirectBody& b, double h)
     }
 }
 
-double trial_value(const DirectJoint& j, const FreeAxis& free_axis, const DirectBody& a,
-                   const DirectBody& b) {
-    return value_of(free_axis, trial_ends(j, a, b));
+double speed_along_path(const DirectJoint& j, std::span<const DirectBody> bodies) {
+    const DirectBody &a = body_at(bodies, j.a), &b = body_at(bodies, j.b);
+    const Vec3 arm_b = b.axes * j.arm_b, at = b.x + arm_b;
+    const Vec3 speed =
+        (velocity(b) + cross(spin(b), arm_b)) - (velocity(a) + cross(spin(a), at - a.x));
+    return dot(rotate(a.q * j.frame_a, curve_point_at(*j.path, j.path_at).tangent), speed);
+}
+
+double trial_value(const DirectJoint& j, const FreeAxis& free_axis,
+                   std::span<const DirectBody> bodies) {
+    if (j.is_gear()) return trial_sum(j.gear[0], bodies);
+    return value_of(free_axis, trial_ends(j, body_at(bodies, j.a), body_at(bodies, j.b)));
 }
 
 }  // namespace jostle::physics

@@ -11,6 +11,7 @@
 #include <cstdint>
 #include <vector>
 
+#include "physics/src/constraints/direct/direct_gear.h"
 #include "physics/src/constraints/direct/free_axis.h"
 
 namespace jostle::physics {
@@ -19,8 +20,9 @@ namespace jostle::physics {
 struct DirectJoint {
     static constexpr int max_rows = 8;
     // ball: the ends coincide, three rows along the world axes. rod: the ends keep a distance, one
-    // row. across: b's end stays on a line or in a plane of a, or is free.
-    enum class Points : std::uint8_t { ball, rod, across };
+    // row. across: b's end stays on a line, on a curve or in a plane of a, or is free. gear: a
+    // single row, of a gear.
+    enum class Points : std::uint8_t { ball, rod, across, gear };
 
     int a = 0, b = 0;
     Points kind = Points::across;
@@ -31,6 +33,7 @@ struct DirectJoint {
     int rows() const { return count; }
     int first_free_axis() const { return points + turns; }
     bool is_ball() const { return kind == Points::ball; }
+    bool is_gear() const { return kind == Points::gear; }
     // Whether a row's error is in metres; otherwise it is in radians.
     bool is_linear(int row) const {
         return row < points ||
@@ -39,12 +42,19 @@ struct DirectJoint {
     }
 
     // Constant, in the principal axes of the bodies.
-    Vec3 arm_a, arm_b;          // of the ends, m
-    double distance = 0;        // m, for a rod
-    Vec3 across[2];             // unit, fixed in a
-    Vec3 turn_a[3], turn_b[3];  // unit
-    bool gimbal = false;        // stores impulses of locked rotations by gimbal row (axes_layout.h)
-    Quat frame_a, frame_b;      // frames of the gimbal
+    Vec3 arm_a, arm_b;             // of the ends, m
+    double distance = 0;           // m, for a rod
+    Vec3 across[2];                // unit, fixed in a
+    Vec3 turn_a[3], turn_b[3];     // unit
+    std::vector<DirectGear> gear;  // one for gears, racks and pulleys, otherwise none
+    // A curve in frame_a that b's end stays on; null: none. `across` is perpendicular to it at the
+    // state of write_vectors(), and follows it.
+    const PathJoint* path = nullptr;
+    double path_at = 0;                // parameter, counts laps
+    double curvature = 0;              // 1/m, at that state
+    std::vector<double> path_travels;  // m, of its pieces; empty if nothing acts along it
+    bool gimbal = false;    // stores impulses of locked rotations by gimbal row (axes_layout.h)
+    Quat frame_a, frame_b;  // frames of the gimbal or of the curve
 
     // At the current state of the two bodies.
     Vec3 apart;  // from a's end to b's end, m
@@ -67,19 +77,22 @@ struct DirectJoint {
 
 // Write the vectors of the rows: at the bodies' state, or as means over the step, for which the
 // error changes by exactly h J (v, w) if a Cayley map rotates the bodies.
+// The functions of two bodies are for joints other than gears.
 void write_vectors(DirectJoint& joint, const DirectBody& a, const DirectBody& b);
-void write_mean_vectors(DirectJoint& joint, const DirectBody& a, const DirectBody& b);
+void write_vectors(DirectJoint& joint, std::span<const DirectBody> bodies);
+void write_mean_vectors(DirectJoint& joint, std::span<const DirectBody> bodies);
 
 // Errors at the current state, and at the end of the attempt, `h` later. An axis held at a speed
 // advances by speed times h.
-void measure_start(DirectJoint& joint, const DirectBody& a, const DirectBody& b);
-void measure(DirectJoint& joint, const DirectBody& a, const DirectBody& b, double h);
+void measure_start(DirectJoint& joint, std::span<const DirectBody> bodies);
+void measure(DirectJoint& joint, std::span<const DirectBody> bodies, double h);
 // The value of a free axis at the end of the attempt.
-double trial_value(const DirectJoint& joint, const FreeAxis& free_axis, const DirectBody& a,
-                   const DirectBody& b);
+double trial_value(const DirectJoint& joint, const FreeAxis& free_axis,
+                   std::span<const DirectBody> bodies);
 // The force on b from impulses along the rows.
 inline Vec3 pull_of(const DirectJoint& joint, const double* value) {
     if (joint.is_ball()) return {value[0], value[1], value[2]};
+    if (joint.is_gear()) return part_of(joint.gear[0], joint.b).linear * value[0];
     Vec3 sum;
     for (int k = 0; k < joint.rows(); k++) sum += joint.linear[k] * value[k];
     return sum;
@@ -96,6 +109,9 @@ double bounded_excess(const FreeAxis& free_axis, double most);
 // stiff for h to resolve.
 double spring_pull(const FreeAxis& free_axis, double h);
 
+// Speed of b's end along the curve of a path joint, m/s.
+double speed_along_path(const DirectJoint& joint, std::span<const DirectBody> bodies);
+
 // Whether the kind has rows in the direct solver.
 bool supported(const JointKind& kind);
 struct DirectEnd {
@@ -103,6 +119,18 @@ struct DirectEnd {
     Quat frame;  // orientation of the frame, principal axes
 };
 void set_up(DirectJoint& joint, const JointKind& kind, const DirectEnd& a, const DirectEnd& b);
+// The rigid rows and the limits alone. Also for kinds that are not supported otherwise, if they
+// hold a point.
+void set_up_rigid(DirectJoint& joint, const JointKind& kind, const DirectEnd& a,
+                  const DirectEnd& b);
+// The carrier of an end: body -1 is the world.
+struct DirectCarrier {
+    int body = -1;
+    Quat axes;    // of its principal axes in its frame
+    Vec3 center;  // m, of its centre of mass in its frame
+};
+// For a gear, rack or pulley, after set_up().
+void set_carriers(DirectJoint& joint, const DirectCarrier& of_a, const DirectCarrier& of_b);
 
 // State of a joint that the world retains from step to step: impulses on b of a sub-step of h. For
 // a distance joint only the component along it. Valid after write_vectors().

@@ -6,6 +6,7 @@
 #include "jostle/base/check.h"
 #include "physics/src/constraints/direct/direct_joint.h"
 #include "physics/src/constraints/joints/axes_layout.h"
+#include "physics/src/constraints/joints/path_curve.h"
 #include "physics/src/math/is_unit.h"
 
 namespace jostle::physics {
@@ -176,6 +177,50 @@ void set_up_kind(DirectJoint& j, const DistanceJoint& distance, const DirectEnd&
     spring(free_axis, distance.spring, distance.rest_length);
     j.free_axes.push_back(free_axis);
 }
+void set_up_kind(DirectJoint& j, const PathJoint& path, const DirectEnd& a, const DirectEnd&) {
+    j.points = 2;
+    j.path = &path;
+    j.frame_a = a.frame;
+    const Vec3 tangent = rotate(a.frame, curve_point_at(path, 0).tangent);
+    j.across[0] =
+        normalized(cross(tangent, absolute(tangent.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 1, 0}));
+    const JointAxis axis = layout_at(path, {}).axes[0];
+    if (!does_something(axis)) return;
+    j.path_travels = piece_travels(path);
+    j.free_axes.push_back(make_free_axis(AxisKind::path, axis, 0));
+    j.free_axes.back().frame_a = a.frame;
+}
+
+// ---- gears, racks and pulleys ----
+
+DirectGear& add_gear(DirectJoint& j, const DirectEnd& a, const DirectEnd& b) {
+    j.kind = DirectJoint::Points::gear;
+    DirectGear& gear = j.gear.emplace_back();
+    gear.ends[0] = {.body = j.a, .arm = a.arm, .frame = a.frame};
+    gear.ends[1] = {.body = j.b, .arm = b.arm, .frame = b.frame};
+    return gear;
+}
+void set_up_kind(DirectJoint& j, const GearJoint& kind, const DirectEnd& a, const DirectEnd& b) {
+    add_gear(j, a, b).ends[1].scale = kind.ratio;
+    j.turns = 1;
+}
+void set_up_kind(DirectJoint& j, const RackJoint& kind, const DirectEnd& a, const DirectEnd& b) {
+    DirectGear& gear = add_gear(j, a, b);
+    gear.ends[0].scale = -kind.radius;
+    gear.ends[1].motion = DirectGear::Motion::slide;
+    j.points = 1;
+}
+// A rope is an upper limit: it only pulls.
+void set_up_kind(DirectJoint& j, const PulleyJoint& kind, const DirectEnd& a, const DirectEnd& b) {
+    DirectGear& gear = add_gear(j, a, b);
+    for (DirectGear::End& end : gear.ends) end.motion = DirectGear::Motion::hang;
+    gear.ends[0].point = kind.point_a;
+    gear.ends[1].point = kind.point_b;
+    gear.ends[1].scale = kind.ratio;
+    gear.target = kind.length;
+    j.free_axes.push_back({.kind = AxisKind::rope, .upper = kind.length});
+}
+
 void set_up_kind(DirectJoint& j, const auto& kind, const DirectEnd& a, const DirectEnd& b) {
     if constexpr (requires { layout_of(kind); })
         set_up_axes(j, layout_of(kind), a, b);
@@ -206,7 +251,24 @@ bool supported(const JointKind& kind) {
     if (const auto* fixed = std::get_if<FixedJoint>(&kind))
         return fixed->linear.hertz == 0 && fixed->angular.hertz == 0;
     if (const auto* distance = std::get_if<DistanceJoint>(&kind)) return distance->max_length > 0;
-    return std::holds_alternative<WheelJoint>(kind);
+    // At the kinks of a polyline a body loses energy, which this solver would keep or lose
+    // depending on how a step meets them.
+    if (const auto* path = std::get_if<PathJoint>(&kind))
+        return path->smooth || (path->points.size() == 2 && !path->closed);
+    return !std::holds_alternative<VelocityRow>(kind) && !std::holds_alternative<GrabJoint>(kind);
+}
+
+void set_up_rigid(DirectJoint& j, const JointKind& kind, const DirectEnd& a, const DirectEnd& b) {
+    j.arm_a = a.arm;
+    j.arm_b = b.arm;
+    std::visit([&](const auto& of_kind) { set_up_kind(j, of_kind, a, b); }, kind);
+    for (FreeAxis& free_axis : j.free_axes) {
+        free_axis.rate = free_axis.friction_limit = 0;
+        free_axis.steps = 0;
+        free_axis.actuation = FreeAxis::at_rest;
+    }
+    j.count = j.points + j.turns + static_cast<int>(j.free_axes.size());
+    ASSERT(j.count >= 1 && j.count <= static_cast<int>(std::size(j.force)));
 }
 
 void set_up(DirectJoint& j, const JointKind& kind, const DirectEnd& a, const DirectEnd& b) {
@@ -217,6 +279,18 @@ void set_up(DirectJoint& j, const JointKind& kind, const DirectEnd& a, const Dir
     std::visit([&](const auto& of_kind) { set_up_kind(j, of_kind, a, b); }, kind);
     j.count = j.points + j.turns + static_cast<int>(j.free_axes.size());
     ASSERT(j.count >= 1 && j.count <= static_cast<int>(std::size(j.force)));
+}
+
+void set_carriers(DirectJoint& j, const DirectCarrier& of_a, const DirectCarrier& of_b) {
+    ASSERT(j.gear.size() == 1);
+    const DirectCarrier* const carriers[] = {&of_a, &of_b};
+    for (int k = 0; k < 2; k++) {
+        DirectGear::End& end = j.gear[0].ends[k];
+        end.carrier = carriers[k]->body;
+        end.carrier_axes = carriers[k]->axes;
+        end.carrier_center = carriers[k]->center;
+    }
+    list_parts(j.gear[0]);
 }
 
 }  // namespace jostle::physics

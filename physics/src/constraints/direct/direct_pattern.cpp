@@ -30,7 +30,7 @@ double gyration_of(const DirectBody& body) {
 
 // Records which features the group has in addition to rigid joints.
 void DirectGroup::list_what_acts() {
-    damped_ = sprung_ = damped_springs_ = actuated_ = limited_ = locked_ = false;
+    damped_ = sprung_ = damped_springs_ = actuated_ = limited_ = locked_ = curved_ = false;
     for (DirectBody& body : bodies) {
         damped_ |= body.linear_damping != 0 || body.angular_damping != 0;
         locked_ |= body.pushed && (!body.turns_freely || body.inverse_masses.x == 0 ||
@@ -43,17 +43,21 @@ void DirectGroup::list_what_acts() {
     const bool grounded = std::any_of(joints.begin(), joints.end(), [&](const DirectJoint& joint) {
         return !bodies[as_index(joint.a)].pushed || !bodies[as_index(joint.b)].pushed;
     });
-    net_ = joints.size() > max_loop_joints &&
-           is_redundant(static_cast<int>(joints.size()), static_cast<int>(pushed));
+    const auto gears = static_cast<std::size_t>(std::count_if(
+        joints.begin(), joints.end(), [](const DirectJoint& joint) { return joint.is_gear(); }));
+    const std::size_t holding = joints.size() - gears;  // a gear is a single row
+    net_ = holding > max_loop_joints &&
+           is_redundant(static_cast<int>(holding), static_cast<int>(pushed));
     looped_ = !net_ && joints.size() + (grounded ? 0 : 1) > pushed;
     double arms = 0;
     for (DirectJoint& joint : joints) {
+        curved_ |= joint.path != nullptr;
         arms += length(joint.arm_a) + length(joint.arm_b) + joint.distance;
         for (const int body : {joint.a, joint.b}) arms += gyration_of(bodies[as_index(body)]);
         for (FreeAxis& free_axis : joint.free_axes) {
             // Locked axes allow no motion along this free axis. The axis of a swing of zero is
             // undefined.
-            if (free_axis.kind != FreeAxis::Kind::swing &&
+            if (free_axis.kind != FreeAxis::Kind::swing && !joint.is_gear() &&
                 response_of(free_axis, bodies[as_index(joint.a)], bodies[as_index(joint.b)]) <=
                     min_response(joint))
                 nothing_along(free_axis);
@@ -88,7 +92,11 @@ bool DirectGroup::prepare(std::int64_t max_work) {
     pattern.push_back(locked_ ? 1 : 0);
     for (const DirectBody& body : bodies) pattern.push_back(body.pushed ? 1 : 0);
     for (const DirectJoint& joint : joints)
-        pattern.insert(pattern.end(), {joint.a, joint.b, joint.rows()});
+        if (!joint.is_gear())
+            pattern.insert(pattern.end(), {joint.a, joint.b, joint.rows()});
+        else
+            for (int k = 0; k < joint.gear[0].part_count; k++)
+                pattern.insert(pattern.end(), {-1, joint.gear[0].parts[k].body});
     if (pattern == pattern_) return matrix_.work() <= max_work;
     ASSERT(max_work >= 0);
     pattern_.clear();
@@ -103,6 +111,12 @@ bool DirectGroup::find_pattern(std::int64_t max_work) {
     std::vector<std::uint8_t> pushed;
     for (const DirectJoint& joint : joints) {
         ends.push_back({joint.a, joint.b});
+        if (joint.is_gear())
+            for (const DirectGear::End& end : joint.gear[0].ends) {
+                const bool known = end.carrier < 0 || end.carrier == joint.a ||
+                                   end.carrier == joint.b || end.carrier == ends.back().carriers[0];
+                if (!known) ends.back().carriers[ends.back().carriers[0] < 0 ? 0 : 1] = end.carrier;
+            }
         rows.push_back(joint.rows());
     }
     for (const DirectBody& body : bodies) pushed.push_back(body.pushed ? 1 : 0);
@@ -118,6 +132,12 @@ bool DirectGroup::find_pattern(std::int64_t max_work) {
               [](const JointSystemBlock& x, const JointSystemBlock& y) {
                   return std::pair(x.at, x.body) < std::pair(y.at, y.body);
               });
+    const auto first_gear = std::stable_partition(
+        system_blocks_.begin(), system_blocks_.end(), [&](const JointSystemBlock& c) {
+            return !joints[as_index(c.later)].is_gear() && !joints[as_index(c.sooner)].is_gear();
+        });
+    gear_blocks_.assign(first_gear, system_blocks_.end());
+    system_blocks_.erase(first_gear, system_blocks_.end());
     return true;
 }
 
@@ -156,6 +176,7 @@ void DirectGroup::assemble(double linear, const Mat3 DirectBody::*response) {
             }
         }
     }
+    for (const JointSystemBlock& c : gear_blocks_) assemble_gears(c, linear, response);
     assemble_hubs(linear, response);
     if (locked_) drop_locked();
     if (sprung_) soften(step_);
@@ -165,6 +186,58 @@ void DirectGroup::assemble(double linear, const Mat3 DirectBody::*response) {
         regularize(energy_ ? mean_loop_compliance : loop_compliance);
     count_.skipped_rows = matrix_.factor();
     count_.factors++;
+}
+
+DirectGroup::RowPart DirectGroup::row_part(const DirectJoint& joint, int row, int body) const {
+    if (joint.is_gear()) {
+        const DirectGear::Part& part = part_of(joint.gear[0], body);
+        return {part.linear, part.angular};
+    }
+    Vec3 line;
+    if (!joint.is_ball())
+        line = joint.linear[row];
+    else if (row < 3)
+        line[row] = 1;
+    return joint.b == body ? RowPart{line, joint.angular_b[row]}
+                           : RowPart{-line, joint.angular_a[row]};
+}
+
+void DirectGroup::assemble_hub_block(const DirectJoint& joint, const JointHubBlock& coupling,
+                                     double* block) const {
+    constexpr Vec3 axes_of_world[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
+    const Vec3* const angular = coupling.body_b ? joint.angular_b : joint.angular_a;
+    const int rows = joint.rows();
+    for (int r = 0; r < rows; r++) {
+        Vec3 line;
+        if (!joint.is_ball())
+            line = joint.linear[r];
+        else if (r < 3)
+            line = axes_of_world[r];
+        if (!coupling.body_b) line = -line;
+        for (int k = 0; k < 3; k++)
+            if (coupling.hub_later)
+                block[k * rows + r] = line[k], block[(k + 3) * rows + r] = angular[r][k];
+            else
+                block[r * hub_rows + k] = line[k], block[r * hub_rows + k + 3] = angular[r][k];
+    }
+}
+
+// The rows of joints of which one is a gear.
+void DirectGroup::assemble_gears(const JointSystemBlock& c, double linear,
+                                 const Mat3 DirectBody::*response) {
+    const DirectJoint &later = joints[as_index(c.later)], &sooner = joints[as_index(c.sooner)];
+    const DirectBody& body = bodies[as_index(c.body)];
+    double* const block = matrix_.values().data() + c.at;
+    const int n = sooner.rows(), m = later.rows();
+    for (int i = 0; i < m; i++) {
+        const RowPart row = row_part(later, i, c.body);
+        const Vec3 turned = body.*response * row.angular,
+                   moved = scaled(row.linear, body.inverse_masses * linear);
+        for (int k = 0; k < n; k++) {
+            const RowPart column = row_part(sooner, k, c.body);
+            block[i * n + k] += dot(turned, column.angular) + dot(moved, column.linear);
+        }
+    }
 }
 
 void DirectGroup::assemble_hubs(double linear, const Mat3 DirectBody::*response) {
@@ -179,24 +252,25 @@ void DirectGroup::assemble_hubs(double linear, const Mat3 DirectBody::*response)
             for (int k = 0; k < 3; k++) block[(i + 3) * hub_rows + k + 3] = -columns[k][i];
         }
     }
-    constexpr Vec3 axes_of_world[] = {{1, 0, 0}, {0, 1, 0}, {0, 0, 1}};
     for (const JointHubBlock& coupling : hubs_.blocks) {
         const DirectJoint& joint = joints[as_index(coupling.joint)];
-        const Vec3* const angular = coupling.body_b ? joint.angular_b : joint.angular_a;
         double* const block = values + coupling.at;
         const int rows = joint.rows();
+        if (!joint.is_gear()) {
+            assemble_hub_block(joint, coupling, block);
+            continue;
+        }
+        const int hub = hubs_.hubs[as_index(coupling.hub)].body;
         for (int r = 0; r < rows; r++) {
-            Vec3 line;
-            if (!joint.is_ball())
-                line = joint.linear[r];
-            else if (r < 3)
-                line = axes_of_world[r];
-            if (!coupling.body_b) line = -line;
+            const RowPart part = row_part(joint, r, hub);
             for (int k = 0; k < 3; k++)
-                if (coupling.hub_later)
-                    block[k * rows + r] = line[k], block[(k + 3) * rows + r] = angular[r][k];
-                else
-                    block[r * hub_rows + k] = line[k], block[r * hub_rows + k + 3] = angular[r][k];
+                if (coupling.hub_later) {
+                    block[k * rows + r] = part.linear[k];
+                    block[(k + 3) * rows + r] = part.angular[k];
+                } else {
+                    block[r * hub_rows + k] = part.linear[k];
+                    block[r * hub_rows + k + 3] = part.angular[k];
+                }
         }
     }
 }

@@ -12,8 +12,7 @@ namespace jostle::physics {
 // ---- J M^-1 J^T ----
 
 void DirectGroup::write_all_vectors() {
-    for (DirectJoint& joint : joints)
-        write_vectors(joint, bodies[as_index(joint.a)], bodies[as_index(joint.b)]);
+    for (DirectJoint& joint : joints) write_vectors(joint, bodies);
 }
 
 void DirectGroup::factor_here() {
@@ -50,8 +49,25 @@ void DirectGroup::kick(double h, bool second) {
         }
 }
 
+void DirectGroup::push_gear(const DirectJoint& joint, double impulse) {
+    const DirectGear& gear = joint.gear[0];
+    for (int k = 0; k < gear.part_count; k++) {
+        DirectBody& body = bodies[as_index(gear.parts[k].body)];
+        body.p += gear.parts[k].linear * impulse;
+        body.l += gear.parts[k].angular * impulse;
+    }
+}
+// The torque about the end of b.
+void DirectGroup::record_gear(DirectJoint& joint, double impulse) {
+    const DirectGear::Part& part = part_of(joint.gear[0], joint.b);
+    const Vec3 arm = bodies[as_index(joint.b)].axes * joint.arm_b;
+    joint.force_sum += part.linear * impulse;
+    joint.torque_sum += (part.angular - cross(arm, part.linear)) * impulse;
+}
+
 // Applies impulses along the rows to the two bodies.
 void DirectGroup::push(const DirectJoint& joint, const double* impulse) {
+    if (joint.is_gear()) return push_gear(joint, impulse[0]);
     DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
     const Vec3 linear = pull_of(joint, impulse);
     Vec3 about_a, about_b;
@@ -72,6 +88,7 @@ void DirectGroup::act(DirectJoint& joint, const double* impulse) {
 }
 
 void DirectGroup::record(DirectJoint& joint, const double* impulse) {
+    if (joint.is_gear()) return record_gear(joint, impulse[0]);
     joint.force_sum += pull_of(joint, impulse);
     ASSERT(joint.points <= joint.first_free_axis() && joint.first_free_axis() <= joint.rows());
     for (int k = joint.points; k < joint.first_free_axis(); k++)
@@ -88,7 +105,7 @@ double DirectGroup::measure_all(double h) {
     ASSERT(reach_ > 0);
     double largest = 0;
     for (DirectJoint& joint : joints) {
-        measure(joint, bodies[as_index(joint.a)], bodies[as_index(joint.b)], h);
+        measure(joint, bodies, h);
         for (int k = 0; k < joint.rows(); k++) {
             joint.error[k] -= joint.target[k];
             if (locked_ && joint.blocked[as_index(k)]) joint.error[k] = 0;
@@ -117,7 +134,7 @@ bool DirectGroup::set_targets(double h) {
     const double most = tuning::joint_push_speed * absolute(h);
     const double max_turn = tuning::joint_push_spin * absolute(h);
     for (DirectJoint& joint : joints) {
-        measure_start(joint, bodies[as_index(joint.a)], bodies[as_index(joint.b)]);
+        measure_start(joint, bodies);
         std::fill(std::begin(joint.target), std::end(joint.target), 0.0);
         double apart = 0, turned = 0;
         for (int k = 0; k < joint.points; k++) apart += joint.start[k] * joint.start[k];
@@ -181,7 +198,10 @@ void DirectGroup::project_velocities(double h, double bias, bool save_forces) {
             const DirectJoint& joint = joints[k];
             const DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
             double* const to = right_side_.data() + matrix_.row_of(static_cast<int>(k));
-            rate(joint, a.v0, a.w0, b.v0, b.w0, to);
+            if (!joint.is_gear())
+                rate(joint, a.v0, a.w0, b.v0, b.w0, to);
+            else
+                to[0] = rate_of(joint.gear[0], bodies);
             for (std::size_t w = 0; w < joint.free_axes.size(); w++)
                 if (joint.free_axes[w].at_limit == 0 && joint.free_axes[w].is_held())
                     to[as_index(joint.first_free_axis()) + w] -= joint.free_axes[w].hold_speed();

@@ -77,9 +77,17 @@ Mat3 response_about_one(const DirectBody& body, double h) {
 double DirectGroup::stiffest() {
     ASSERT(!joints.empty());
     for (DirectBody& body : bodies) body.stiffness = diagonal({0, 0, 0});
+    double most = 0;
     for (const DirectJoint& joint : joints) {
+        if (joint.is_gear()) {
+            stiffen_gear(joint, joint.force[0] * 2);
+            continue;
+        }
         Vec3 pull = pull_of(joint, joint.force) * 2;
         DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
+        if (joint.path != nullptr)  // the force turns as b moves along the curve
+            most =
+                maximum(most, length(pull) * joint.curvature * (a.inverse_mass + b.inverse_mass));
         for (const FreeAxis& free_axis : joint.free_axes)
             if (free_axis.is_linear())
                 pull += free_axis.linear *
@@ -88,7 +96,6 @@ double DirectGroup::stiffest() {
         stiffen(a, -pull, lever_of(joint, a.axes * joint.arm_a, joint.apart));
         stiffen(b, pull, b.axes * joint.arm_b);
     }
-    double most = 0;
     for (const DirectBody& body : bodies) {
         if (!body.pushed) continue;
         const Mat3 m = body.inverse_inertia * body.stiffness;
@@ -98,6 +105,25 @@ double DirectGroup::stiffest() {
         most = maximum(most, maximum(trace, norm) + body.spring_square);
     }
     return square_root(most);
+}
+
+// The geometric stiffness of a force on the ends of a gear.
+void DirectGroup::stiffen_gear(const DirectJoint& joint, double force) {
+    for (const DirectGear::End& end : joint.gear[0].ends) {
+        if (end.motion == DirectGear::Motion::turn) continue;
+        DirectBody& body = bodies[as_index(end.body)];
+        stiffen(body, part_of(joint.gear[0], end.body).linear * force, body.axes * end.arm);
+    }
+}
+
+// Adds the impulse of the step, or a part of it, to the bodies.
+void DirectGroup::add_gear_impulse(const DirectJoint& joint, double linear, double angular) {
+    const DirectGear& gear = joint.gear[0];
+    for (int k = 0; k < gear.part_count; k++) {
+        DirectBody& body = bodies[as_index(gear.parts[k].body)];
+        body.sum += gear.parts[k].linear * (linear * joint.impulse[0]);
+        body.twist += gear.parts[k].angular * (angular * joint.impulse[0]);
+    }
 }
 
 void DirectGroup::begin_energy_step(double h) {
@@ -116,6 +142,10 @@ void DirectGroup::begin_energy_step(double h) {
             if (free_axis.implicit)
                 joint.impulse[as_index(joint.first_free_axis()) + w] =
                     -h * free_axis.stiffness * stretch_of(free_axis, free_axis.start);
+        }
+        if (joint.is_gear()) {
+            add_gear_impulse(joint, 0, 1);
+            continue;
         }
         DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
         for (int k = 0; k < joint.rows(); k++) {
@@ -165,6 +195,10 @@ double DirectGroup::residual_of(double h, bool stiffness_too) {
         if (stiffness_too) body.stiffness = diagonal({0, 0, 0});
     }
     for (const DirectJoint& joint : joints) {
+        if (joint.is_gear()) {
+            add_gear_impulse(joint, 1, 0);
+            continue;
+        }
         const Vec3 pull = pull_of(joint, joint.impulse);
         bodies[as_index(joint.a)].sum -= pull;
         bodies[as_index(joint.b)].sum += pull;
@@ -174,7 +208,12 @@ double DirectGroup::residual_of(double h, bool stiffness_too) {
         body.x1 = body.x + (body.v0 + scaled(body.sum, body.inverse_masses * 0.5)) * h;
     for (DirectJoint& joint : joints) {
         DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
-        write_mean_vectors(joint, a, b);
+        write_mean_vectors(joint, bodies);
+        if (joint.is_gear()) {
+            add_gear_impulse(joint, 0, 1);
+            if (stiffness_too) stiffen_gear(joint, joint.impulse[0]);
+            continue;
+        }
         for (int k = 0; k < joint.rows(); k++) {
             a.twist += joint.angular_a[k] * joint.impulse[k];
             b.twist += joint.angular_b[k] * joint.impulse[k];
@@ -229,6 +268,13 @@ void DirectGroup::correct(double h, bool again) {
         const DirectJoint& joint = joints[k];
         const DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
         double* const to = right_side_.data() + matrix_.row_of(static_cast<int>(k));
+        if (joint.is_gear()) {
+            to[0] = -joint.error[0] / h;
+            for (int part = 0; part < joint.gear[0].part_count; part++)
+                to[0] -= dot(joint.gear[0].parts[part].angular,
+                             bodies[as_index(joint.gear[0].parts[part].body)].spin_correction);
+            continue;
+        }
         for (int r = 0; r < joint.rows(); r++)
             to[r] = -dot(joint.angular_a[r], a.spin_correction) -
                     dot(joint.angular_b[r], b.spin_correction) - joint.error[r] / h;
@@ -238,6 +284,14 @@ void DirectGroup::correct(double h, bool again) {
         DirectJoint& joint = joints[k];
         DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
         const double* const more = right_side_.data() + matrix_.row_of(static_cast<int>(k));
+        if (joint.is_gear()) {
+            const DirectGear& gear = joint.gear[0];
+            joint.impulse[0] += more[0];
+            for (int part = 0; part < gear.part_count; part++)
+                bodies[as_index(gear.parts[part].body)].residual +=
+                    gear.parts[part].angular * more[0];
+            continue;
+        }
         for (int r = 0; r < joint.rows(); r++) {
             joint.impulse[r] += more[r];
             a.residual += joint.angular_a[r] * more[r];

@@ -66,6 +66,8 @@ double raw_value(const FreeAxis& free_axis, const FreeAxisEnds& ends) {
             return dot(ends.axes_a * free_axis.axis_a, ends.apart);
         case Kind::distance:
             return length(ends.apart);
+        case Kind::path:
+            return ends.travel;
         case Kind::hinge: {
             const Vec3 x = ends.axes_b * free_axis.x_b;
             return arc_tangent(dot(x, ends.axes_a * free_axis.y_a),
@@ -96,6 +98,8 @@ void write_free_axis(FreeAxis& free_axis, const FreeAxisEnds& ends) {
     free_axis.value = value_of(free_axis, ends);
     if (free_axis.kind == Kind::travel)
         write_line(free_axis, ends.axes_a * free_axis.axis_a, ends.arm_a + ends.apart, ends.arm_b);
+    else if (free_axis.kind == Kind::path)
+        write_line(free_axis, ends.tangent, ends.arm_a + ends.apart, ends.arm_b);
     else if (free_axis.kind == Kind::distance)
         write_line(free_axis, line_of(ends.apart), ends.arm_a, ends.arm_b);
     else
@@ -110,6 +114,17 @@ void write_mean_free_axis(FreeAxis& free_axis, const FreeAxisEnds& before,
         const Vec3 axis =
             (before.axes_a * free_axis.axis_a + after.axes_a * free_axis.axis_a) * 0.5;
         write_line(free_axis, axis, arm_a + (before.apart + after.apart) * 0.5, arm_b);
+    } else if (free_axis.kind == Kind::path) {
+        // Along the chord, and as much longer as the curve is.
+        const Vec3 chord = after.on_curve - before.on_curve;
+        Vec3 row = (before.tangent + after.tangent) * 0.5;
+        if (length_squared(chord) > 1e-18) {
+            const Vec3 along = chord * ((after.travel - before.travel) / length_squared(chord));
+            row = (rotate(before.a * free_axis.frame_a, along) +
+                   rotate(after.a * free_axis.frame_a, along)) *
+                  0.5;
+        }
+        write_line(free_axis, row, arm_a + (before.apart + after.apart) * 0.5, arm_b);
     } else if (free_axis.kind == Kind::distance) {
         // The difference of the lengths is exactly the mean displacement along the line.
         const double sum = length(before.apart) + length(after.apart);

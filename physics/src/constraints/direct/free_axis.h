@@ -20,7 +20,19 @@
 namespace jostle::physics {
 
 struct FreeAxis {
-    enum class Kind : std::uint8_t { hinge, first, middle, last, travel, distance, twist, swing };
+    // path: along a curve. rope: of a pulley; its row is that of a gear.
+    enum class Kind : std::uint8_t {
+        hinge,
+        first,
+        middle,
+        last,
+        travel,
+        distance,
+        path,
+        rope,
+        twist,
+        swing
+    };
     static constexpr double never = 1e300;
     static constexpr double min_response =
         1e-30;  // 1/kg or 1/(kg m^2): a lower response counts as immovable
@@ -58,7 +70,10 @@ struct FreeAxis {
     bool implicit = false;  // the spring is a row of the current step
     bool bound = false;     // the row holds: at a limit or at a speed
 
-    bool is_linear() const { return kind == Kind::travel || kind == Kind::distance; }
+    bool is_linear() const {
+        return kind == Kind::travel || kind == Kind::distance || kind == Kind::path ||
+               kind == Kind::rope;
+    }
     bool has_limit() const { return lower > -never || upper < never; }
     bool has_range() const { return lower > -never && upper < never; }
     bool is_ambiguous() const { return !is_linear() && physics::is_ambiguous(lower, upper); }
@@ -77,6 +92,9 @@ struct FreeAxisEnds {
     Vec3 arm_a, arm_b, apart;  // m
     Quat a, b;                 // of the principal axes
     Mat3 axes_a, axes_b;
+    // Of a curve: travel of b's end, tangent in the world, and b's end in the frame of the curve.
+    double travel = 0;
+    Vec3 tangent, on_curve;
 };
 
 // Writes the value and the vectors at the given ends.

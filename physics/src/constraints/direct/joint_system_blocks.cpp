@@ -2,10 +2,19 @@
 #include "physics/src/constraints/direct/joint_system_blocks.h"
 
 #include <algorithm>
+#include <array>
 
 #include "jostle/base/check.h"
 
 namespace jostle::physics {
+
+namespace {
+
+std::array<int, 4> bodies_of(const JointEnds& ends) {
+    return {ends.a, ends.b, ends.carriers[0], ends.carriers[1]};
+}
+
+}  // namespace
 
 bool find_joint_system_blocks(std::span<const JointEnds> joints, std::span<const int> rows,
                               std::span<const std::uint8_t> pushed, std::int64_t max_work,
@@ -14,8 +23,9 @@ bool find_joint_system_blocks(std::span<const JointEnds> joints, std::span<const
     ASSERT(joints.size() == rows.size());
     std::vector<std::vector<int>> of_body(pushed.size());
     for (std::size_t k = 0; k < joints.size(); k++)
-        for (const int body : {joints[k].a, joints[k].b})
-            if (pushed[as_index(body)] != 0) of_body[as_index(body)].push_back(static_cast<int>(k));
+        for (const int body : bodies_of(joints[k]))
+            if (body >= 0 && pushed[as_index(body)] != 0)
+                of_body[as_index(body)].push_back(static_cast<int>(k));
     system_blocks.clear();
     ASSERT(max_work >= 0);
     std::vector<int> rows_of_node(rows.begin(), rows.end());
@@ -49,11 +59,11 @@ bool find_joint_system_blocks(std::span<const JointEnds> joints, std::span<const
     if (hubs != nullptr && !hubs->hubs.empty()) {
         signs.assign(rows_of_node.size(), BlockLdl::Sign::negative);
         for (std::size_t k = 0; k < joints.size(); k++) {
-            const auto moves = [&](int body) {
-                return pushed[as_index(body)] != 0 && hub_of[as_index(body)] < 0;
-            };
-            signs[k] = moves(joints[k].a) || moves(joints[k].b) ? BlockLdl::Sign::positive
-                                                                : BlockLdl::Sign::waits;
+            const std::array<int, 4> of = bodies_of(joints[k]);
+            const bool moves = std::any_of(of.begin(), of.end(), [&](int body) {
+                return body >= 0 && pushed[as_index(body)] != 0 && hub_of[as_index(body)] < 0;
+            });
+            signs[k] = moves ? BlockLdl::Sign::positive : BlockLdl::Sign::waits;
         }
     }
     if (!matrix.analyze(rows_of_node, edges, max_work, signs)) return false;
@@ -77,7 +87,6 @@ bool find_joint_system_blocks(std::span<const JointEnds> joints, std::span<const
                 const bool first_later = matrix.is_later(list[i], list[k]);
                 const int later = first_later ? list[i] : list[k];
                 const int sooner = first_later ? list[k] : list[i];
-                ASSERT(joints[as_index(later)].a == body || joints[as_index(later)].b == body);
                 system_blocks.push_back({matrix.block_at(later, sooner), later, sooner, body,
                                          joints[as_index(later)].b == body,
                                          joints[as_index(sooner)].b == body});

@@ -20,10 +20,12 @@ namespace jostle::physics {
 struct JointSystemBlock {
     int at;  // of the block in the matrix's values
     int later, sooner, body;
-    bool later_b, sooner_b;  // whether the body is b of that joint
+    // Whether the body is b of that joint. Not for gears, which have up to four bodies.
+    bool later_b, sooner_b;
 };
 struct JointEnds {
-    int a = 0, b = 0;  // body numbers
+    int a = 0, b = 0;            // body numbers
+    int carriers[2] = {-1, -1};  // further bodies of a gear; -1: none
 };
 
 struct JointHub {

@@ -12,9 +12,13 @@ namespace {
 
 constexpr int max_position_corrections = 8;
 
-void drift(DirectBody& body, double h) {
+void drift(DirectBody& body, double h, bool straight) {
     ASSERT(body.pushed || body.inverse_mass == 0);
-    if (body.pushed) {
+    if (body.pushed && straight) {
+        body.x1 = body.x + scaled(body.p, body.inverse_masses * h);
+        body.q1 = nearly_unit(turn_by(body.turned + body.inverse_inertia * body.l * h) *
+                              body.turned_from);
+    } else if (body.pushed) {
         body.x1 = body.x + scaled(body.p, body.inverse_masses * h);
         body.q1 = free_turn(body.q, body.l, body.inverse_moments, h);
     } else {
@@ -25,6 +29,10 @@ void drift(DirectBody& body, double h) {
 }
 
 }  // namespace
+
+void DirectGroup::drift_all(double h) {
+    for (DirectBody& body : bodies) drift(body, h, straight_);
+}
 
 // Drifts from the current momenta to a state in which the joints hold. Returns false if it does not
 // converge.
@@ -37,7 +45,7 @@ bool DirectGroup::solve_positions(double h, double tolerance) {
     }
     double last_error = 1e300, first = 0;
     for (int round = 0;; round++) {
-        for (DirectBody& body : bodies) drift(body, h);
+        drift_all(h);
         const double error = measure_all(h);
         if (error < tolerance) return true;
         if (round == 0) first = error;

@@ -18,11 +18,6 @@ Vec3 across(Vec3 n) {
     return {1 - n.x * n.x / (1 + n.z), -n.x * n.y / (1 + n.z), -n.x};
 }
 
-// The angle nearest to `expected` that differs from `angle` by whole turns.
-double unwrapped(double angle, double expected) {
-    return angle + 2 * pi * std::floor((expected - angle) / (2 * pi) + 0.5);
-}
-
 using End = GearTerms::End;
 
 Vec3 anchor_of(const JointEnd& end) {
@@ -46,6 +41,10 @@ End hanging(const JointEnd& end, Vec3 from, double scale) {
 }
 
 }  // namespace
+
+double unwrapped(double angle, double expected) {
+    return angle + 2 * pi * std::floor((expected - angle) / (2 * pi) + 0.5);
+}
 
 double turn_against(Quat frame, Quat carrier) {
     const Vec3 axis = inverse_rotate(carrier, rotate(frame, {0, 0, 1}));

@@ -22,6 +22,8 @@ struct Carrier {
 // Rotation of a body about its frame's z axis relative to the carrier, rad, -pi..pi. The reference
 // angle is constant while the axis is fixed in the carrier.
 double turn_against(Quat frame, Quat carrier);
+// The angle nearest to `expected` that differs from `angle` by whole turns.
+double unwrapped(double angle, double expected);
 // Travel of a point along the axis relative to the carrier, from some reference point on the axis,
 // m.
 double travel_against(Vec3 point, Vec3 axis, const Carrier& carrier);

@@ -146,6 +146,8 @@ struct JointKernel<HingeJoint> {
                 limit_row<kRelax>(pair, step, row, 1, angle - load(t.lower_at), t.lower);
                 limit_row<kRelax>(pair, step, row, -1, load(t.upper_at) - angle, t.upper);
                 limits.mark(angle, t.lower, t.upper);
+                jostle::physics::JOSTLE_ISA::store(
+                    t.margin, min(angle - load(t.lower_at), load(t.upper_at) - angle));
             }
         }
         hold_axis(pair, rigid<kRelax>(step), axis, cross(axis, z_axis(frame_b)), angular);
@@ -192,6 +194,7 @@ struct JointKernel<ConeTwistJoint> {
         const Axes axes(frame_a, frame_b);
         Wide3 friction = pair.to_world(t.friction), point = pair.to_world(block.point);
         Wide3 driven{splat(0), splat(0), splat(0)};
+        Wide margin = splat(1e30f);
         if ((uses & uses_drive) != 0) {
             driven = pair.to_world(t.angular);
             drive_turn<kRelax>(pair, t, driven, point);
@@ -208,8 +211,10 @@ struct JointKernel<ConeTwistJoint> {
             limit_row<kRelax>(pair, step, row, 1, twist - load(t.lower_at), t.lower);
             limit_row<kRelax>(pair, step, row, -1, load(t.upper_at) - twist, t.upper);
             limits.mark(twist, t.lower, t.upper);
+            margin = min(twist - load(t.lower_at), load(t.upper_at) - twist);
         }
         const Wide swing = arc_tangent(axes.sine, axes.cosine);
+        jostle::physics::JOSTLE_ISA::store(t.margin, min(margin, load(t.swing_at) - swing));
         limit_row<kRelax>(pair, step, HeldRow(pair, axes.swing, point), -1,
                           load(t.swing_at) - swing, t.swing);
         if ((uses & uses_batch) == 0) hold_points(pair, rigid<kRelax>(step), point);

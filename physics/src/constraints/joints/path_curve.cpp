@@ -51,12 +51,6 @@ Parameter split(const PathJoint& path, double at) {
     ASSERT(piece >= 0 && piece < pieces);
     return {piece, maximum(0, minimum(at - piece, 1))};
 }
-double within(const PathJoint& path, double at) {
-    const int pieces = pieces_of(path);
-    if (path.closed) return at - pieces * std::floor(at / pieces);
-    return maximum(0, minimum(at, pieces));
-}
-
 // Length of a piece up to t, by Gauss-Legendre quadrature with five points per quarter.
 double length_up_to(const PathJoint& path, int piece, double t) {
     if (!path.smooth) return t * length(point_of(path, piece + 1) - point_of(path, piece));
@@ -105,7 +99,43 @@ double distance2_at(const PathJoint& path, double at, Vec3 point) {
     return length_squared(jet_of(path, p.piece, p.t).position - point);
 }
 
+// Newton's method on the derivative of the squared distance. Steps that increase the distance are
+// halved.
+double nearest_parameter(const PathJoint& path, Vec3 point, double guess) {
+    double at = parameter_within(path, guess);
+    ASSERT(at >= 0 && at <= pieces_of(path));
+    double best = distance2_at(path, at, point);
+    for (int round = 0; round < 32; round++) {
+        const Parameter p = split(path, at);
+        const Jet jet = jet_of(path, p.piece, p.t);
+        const Vec3 apart = jet.position - point;
+        const double slope = dot(apart, jet.first), speed2 = length_squared(jet.first);
+        const double bend = speed2 + dot(apart, jet.second);
+        double step = -slope / (bend > 0.25 * speed2 ? bend : maximum(speed2, 1e-12));
+        step = maximum(-1, minimum(step, 1));
+        bool better = false;
+        for (int halving = 0; halving < 20 && !better; halving++, step *= 0.5) {
+            const double next = parameter_within(path, at + step);
+            const double distance = distance2_at(path, next, point);
+            if (distance < best) {
+                better = true;
+                best = distance;
+                at = next;
+                break;
+            }
+        }
+        if (!better || absolute(step) < 1e-12) break;
+    }
+    return at;
+}
+
 }  // namespace
+
+double parameter_within(const PathJoint& path, double at) {
+    const int pieces = pieces_of(path);
+    if (path.closed) return at - pieces * std::floor(at / pieces);
+    return maximum(0, minimum(at, pieces));
+}
 
 PathPoint path_point_at(const PathJoint& path, double at) {
     const Parameter p = split(path, at);
@@ -121,34 +151,8 @@ PathPoint path_point_at(const PathJoint& path, double at) {
     return path_point;
 }
 
-// Newton's method on the derivative of the squared distance. Steps that increase the distance are
-// halved.
 PathPoint nearest_path_point(const PathJoint& path, Vec3 point, double guess) {
-    double at = within(path, guess);
-    ASSERT(at >= 0 && at <= pieces_of(path));
-    double best = distance2_at(path, at, point);
-    for (int round = 0; round < 32; round++) {
-        const Parameter p = split(path, at);
-        const Jet jet = jet_of(path, p.piece, p.t);
-        const Vec3 apart = jet.position - point;
-        const double slope = dot(apart, jet.first), speed2 = length_squared(jet.first);
-        const double bend = speed2 + dot(apart, jet.second);
-        double step = -slope / (bend > 0.25 * speed2 ? bend : maximum(speed2, 1e-12));
-        step = maximum(-1, minimum(step, 1));
-        bool better = false;
-        for (int halving = 0; halving < 20 && !better; halving++, step *= 0.5) {
-            const double next = within(path, at + step);
-            const double distance = distance2_at(path, next, point);
-            if (distance < best) {
-                better = true;
-                best = distance;
-                at = next;
-                break;
-            }
-        }
-        if (!better || absolute(step) < 1e-12) break;
-    }
-    return path_point_at(path, at);
+    return path_point_at(path, nearest_parameter(path, point, guess));
 }
 
 PathPoint nearest_path_point(const PathJoint& path, Vec3 point) {
@@ -163,6 +167,57 @@ PathPoint nearest_path_point(const PathJoint& path, Vec3 point) {
 double parameter_step(const PathJoint& path, double previous, double at) {
     const double pieces = pieces_of(path), step = at - previous;
     return path.closed ? step - pieces * std::floor(step / pieces + 0.5) : step;
+}
+
+CurvePoint curve_point_at(const PathJoint& path, double at) {
+    const Parameter p = split(path, at);
+    const Jet jet = jet_of(path, p.piece, p.t);
+    const double speed = length(jet.first);
+    return {jet.position, tangent_of(path, p.piece, jet),
+            speed > 1e-9 ? length(cross(jet.first, jet.second)) / (speed * speed * speed) : 0};
+}
+
+double path_speed_at(const PathJoint& path, double at) {
+    const Parameter p = split(path, at);
+    return maximum(1e-9, length(jet_of(path, p.piece, p.t).first));
+}
+
+double curvature_jumps(const PathJoint& path, double from, double to) {
+    constexpr double kink = 1e300;
+    const double first = std::floor(minimum(from, to)) + 1, last = std::floor(maximum(from, to));
+    if (!path.smooth) return first <= last ? kink : 0;
+    double sum = 0;
+    for (double knot = first; knot <= last && knot < first + pieces_of(path); knot++) {
+        const double at = parameter_within(path, knot);
+        const int piece = static_cast<int>(at);
+        if (!path.closed && (piece == 0 || piece >= pieces_of(path))) continue;
+        const Jet before = jet_of(path, piece - 1, 1), after = jet_of(path, piece, 0);
+        const double speed2 = length_squared(after.first);
+        if (speed2 < 1e-18) return kink;
+        // Both pieces have the same derivative at the point.
+        const Vec3 bend = cross(after.first, after.second - before.second);
+        sum += length(bend) / (speed2 * square_root(speed2));
+    }
+    return sum;
+}
+
+double follow_path(const PathJoint& path, Vec3 point, double guess) {
+    return guess + parameter_step(path, guess, nearest_parameter(path, point, guess));
+}
+
+std::vector<double> piece_travels(const PathJoint& path) {
+    std::vector<double> travels{0};
+    for (int piece = 0; piece < pieces_of(path); piece++)
+        travels.push_back(travels.back() + length_up_to(path, piece, 1));
+    return travels;
+}
+
+double travel_at(const PathJoint& path, const std::vector<double>& travels, double at) {
+    const Parameter p = split(path, at);
+    const double laps = path.closed ? std::floor(at / pieces_of(path)) : 0;
+    ASSERT(travels.size() == static_cast<std::size_t>(pieces_of(path)) + 1);
+    return laps * travels.back() + travels[static_cast<std::size_t>(p.piece)] +
+           length_up_to(path, p.piece, p.t);
 }
 
 double length_of(const PathJoint& path) {

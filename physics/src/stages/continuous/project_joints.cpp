@@ -4,40 +4,35 @@
 #include <algorithm>
 #include <vector>
 
-#include "physics/src/constraints/direct/joint_system_blocks.h"
+#include "physics/src/constraints/direct/direct_group.h"
 #include "physics/src/constraints/joints/joint_batches.h"
 #include "physics/src/foundation/size_scale.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/continuous/toi_body.h"
+#include "physics/src/stages/step_scratch.h"
 #include "physics/src/state/joint_graph.h"
 
 namespace jostle::physics {
 namespace {
 
-constexpr int rounds = 3;  // iterations of Newton's method
-constexpr int joint_rows = 3;
+// In each round the rows are linear. Errors of more than half a metre or 0.4 rad take several.
+constexpr int projection_rounds = 8;
+constexpr double projection_time = 0.05;  // s
 
 struct ProjectedBody {
     std::uint32_t body = none;
-    bool held = false;
-    bool placed = false;  // held only because an impact placed it
-    Vec3 center, start;
-    Quat rotation;
-    Mat3 axes, inverse_inertia;
-    double inverse_mass = 0;
-    Vec3 push, twist;  // of the current iteration
-};
-struct ProjectedJoint {
-    JointEnds ends;
-    Vec3 local_a, local_b;  // arms in body axes, m
-    Vec3 arm_a, arm_b, gap;
+    bool movable = false, placed = false;  // placed: by an impact
+    bool held = true;                      // for now
+    Quat rotation;                         // where the step has put it
+    Vec3 turn;                             // its rotation in the step
+    Vec3 before, start;  // m: of the centre at the start of the step, and where the step has put it
 };
 
-// A group of bodies connected by point joints.
+// A group of bodies connected by joints that hold points.
 class JointProjection {
 public:
-    JointProjection(const WorldState& world, std::vector<std::uint8_t>& visited)
-        : world_(world), visited_(visited) {}
+    JointProjection(const StepContext& step, std::vector<std::uint8_t>& visited)
+        : world_(step.world), finalize_(step.scratch.finalize), dt_(step.dt), visited_(visited) {}
 
     void find(std::uint32_t body, std::span<const std::uint32_t> placed) {
         std::vector<std::uint32_t> open{body}, joints;
@@ -59,19 +54,8 @@ public:
         std::sort(joints.begin(), joints.end());
         joints.erase(std::unique(joints.begin(), joints.end()), joints.end());
         for (const std::uint32_t index : joints) add(world_.joints.joints[index], placed);
-    }
-
-    double widest() {
-        double most = 0;
-        for (ProjectedJoint& joint : joints_) {
-            const ProjectedBody &a = bodies_[as_index(joint.ends.a)],
-                                &b = bodies_[as_index(joint.ends.b)];
-            joint.arm_a = a.axes * joint.local_a;
-            joint.arm_b = b.axes * joint.local_b;
-            joint.gap = (b.center + joint.arm_b) - (a.center + joint.arm_a);
-            most = maximum(most, length(joint.gap));
-        }
-        return most;
+        joints_ = solver_.joints;
+        for (DirectJoint& joint : solver_.joints) write_vectors(joint, solver_.bodies);
     }
 
     // Tolerance of the remaining joint error, m.
@@ -85,157 +69,176 @@ public:
 
     // Returns false if the projection is too expensive.
     bool prepare() {
-        const int joints = static_cast<int>(joints_.size());
+        const int joints = static_cast<int>(solver_.joints.size());
         if (joints == 0 || is_net(joints, static_cast<int>(bodies_.size()))) return false;
-        std::vector<JointEnds> ends;
-        std::vector<std::uint8_t> pushed;
-        for (const ProjectedJoint& joint : joints_) ends.push_back(joint.ends);
-        for (const ProjectedBody& body : bodies_) pushed.push_back(body.held ? 0 : 1);
-        return find_joint_system_blocks(
-            ends, std::vector<int>(as_index(joints), joint_rows), pushed,
-            std::int64_t{tuning::direct_work} * joints * joint_rows * joint_rows * joint_rows,
-            matrix_, system_blocks_);
+        std::int64_t cubes = 0;
+        for (const DirectJoint& joint : solver_.joints)
+            cubes += std::int64_t{joint.rows()} * joint.rows() * joint.rows();
+        return solver_.prepare(std::int64_t{tuning::direct_work} * cubes);
+    }
+    bool is_closed() {
+        place_all(1, false);
+        return solver_.joint_error() < close_enough();
     }
 
-    void move_back() {
-        assemble();
-        matrix_.factor();
-        std::vector<double> x(as_index(matrix_.rows()));
-        for (std::size_t k = 0; k < joints_.size(); k++)
-            for (int axis = 0; axis < joint_rows; axis++)
-                x[as_index(matrix_.row_of(static_cast<int>(k)) + axis)] = -joints_[k].gap[axis];
-        matrix_.solve(x);
-        for (ProjectedBody& body : bodies_) body.push = body.twist = {};
-        for (std::size_t k = 0; k < joints_.size(); k++) {
-            const double* const at = x.data() + matrix_.row_of(static_cast<int>(k));
-            const Vec3 push{at[0], at[1], at[2]};
-            const JointEnds& ends = joints_[k].ends;
-            ProjectedBody &a = bodies_[as_index(ends.a)], &b = bodies_[as_index(ends.b)];
-            a.push -= push;
-            a.twist -= cross(joints_[k].arm_a, push);
-            b.push += push;
-            b.twist += cross(joints_[k].arm_b, push);
-        }
-        for (ProjectedBody& body : bodies_) {
-            if (body.held) continue;
-            body.center += body.push * body.inverse_mass;
-            body.rotation =
-                normalized(from_rotation_vector(body.inverse_inertia * body.twist) * body.rotation);
-            turn(body);
-        }
-    }
-
-    // Closes the joints. Returns false if an error remains. Large errors may not converge in the
-    // available iterations; all bodies then stay where they are.
-    bool close() {
-        const std::vector<ProjectedBody> previous = bodies_;
-        const double left = widest();
-        for (int round = 0; round < rounds; round++) {
+    // Closes the joints as well as it can be done. First where the step has put the bodies, without
+    // moving those that an impact placed, then with them, then from further back on the way of all
+    // bodies: there the joints held as the step began.
+    void close() {
+        constexpr double shares[] = {1, 1, 0.75, 0.5, 0.25, 0};
+        std::vector<DirectBody> best = solver_.bodies;
+        double least = solver_.joint_error();
+        for (std::size_t k = 0; k < std::size(shares) && least >= close_enough(); k++) {
+            place_all(shares[k], k > 0);
+            if (!prepare()) return;
             move_back();
-            if (widest() < close_enough()) break;
+            if (clamp_displacements()) move_back();
+            const double left = solver_.joint_error();
+            if (!(left < least)) continue;
+            least = left;
+            best = solver_.bodies;
         }
-        clamp_displacements();
-        if (widest() > left) bodies_ = previous;
-        return widest() < close_enough();
-    }
-    // Retries with the bodies placed by impacts movable, if the others could not close the joints.
-    void project_with_placed() {
-        for (ProjectedBody& body : bodies_)
-            if (body.placed) body.held = false;
-        if (prepare()) close();
+        solver_.bodies = best;
     }
 
     void apply_poses(WorldState& world, double dt) const {
-        for (const ProjectedBody& body : bodies_)
-            if (length(body.center - body.start) >= close_enough())
-                move_body_to(world, body.body, body.center, body.rotation, dt);
+        for (std::size_t k = 0; k < bodies_.size(); k++) {
+            const DirectBody& now = solver_.bodies[k];
+            if (bodies_[k].body != none && !(now.x == bodies_[k].start))
+                move_body_to(world, bodies_[k].body, now.x, now.q, dt);
+        }
     }
 
 private:
-    // Clamps bodies to their maximum displacement and holds them there.
-    void clamp_displacements() {
-        for (ProjectedBody& body : bodies_) {
-            if (body.held) continue;
-            const double most = 0.5 * world_.bodies.cold[body.body].inner_radius;
-            const Vec3 displacement = body.center - body.start;
-            const double far = length(displacement);
-            if (far <= most) continue;
-            body.center = body.start + displacement * (most / far);
-            body.held = true;
+    // Places the bodies that may move at a share of their way in this step.
+    void place_all(double share, bool placed_too) {
+        for (std::size_t k = 0; k < bodies_.size(); k++) {
+            const ProjectedBody& body = bodies_[k];
+            if (!body.movable) continue;
+            DirectBody& to = solver_.bodies[k];
+            to.x = body.before + (body.start - body.before) * share;
+            to.q = share < 1
+                       ? normalized(from_rotation_vector(body.turn * -(1 - share)) * body.rotation)
+                       : body.rotation;
+            set_held(k, body.placed && !placed_too);
+        }
+        // prepare() drops limits between held bodies.
+        solver_.joints = joints_;
+        for (DirectJoint& joint : solver_.joints) write_vectors(joint, solver_.bodies);
+    }
+    // Moves each body as little as its mass allows.
+    void move_back() {
+        const double enough = 0.1 * close_enough();
+        for (int round = 0; round < projection_rounds; round++) {
+            for (DirectBody& body : solver_.bodies) body.p = body.l = Vec3{};
+            if (!solver_.hold_joints(projection_time, {enough, 1e-4, enough})) return;
+            for (std::size_t k = 0; k < bodies_.size(); k++) {
+                DirectBody& body = solver_.bodies[k];
+                if (!body.pushed) continue;
+                body.x = body.x1;
+                body.q = normalized(body.q1);
+                turn(k);
+            }
         }
     }
-    void turn(ProjectedBody& body) const {
-        body.axes = to_matrix(body.rotation);
-        body.inverse_inertia =
-            body.axes * world_.bodies.cold[body.body].inverse_inertia * transpose(body.axes);
+    // The nearest point of the way that a body has come in this step. Nothing is in that way.
+    static Vec3 nearest_on_way(const ProjectedBody& body, Vec3 x) {
+        const Vec3 way = body.start - body.before;
+        const double length2 = length_squared(way);
+        const double at = length2 > 0 ? dot(x - body.before, way) / length2 : 1;
+        return body.before + way * maximum(0, minimum(at, 1));
+    }
+    // Clamps bodies to their maximum displacement from their way and holds them there.
+    bool clamp_displacements() {
+        bool any = false;
+        for (std::size_t k = 0; k < bodies_.size(); k++) {
+            if (bodies_[k].held) continue;
+            const double most = 0.5 * world_.bodies.cold[bodies_[k].body].inner_radius;
+            DirectBody& body = solver_.bodies[k];
+            const Vec3 from = nearest_on_way(bodies_[k], body.x);
+            const Vec3 displacement = body.x - from;
+            const double far = length(displacement);
+            if (far <= most) continue;
+            body.x = from + displacement * (most / far);
+            set_held(k, true);
+            any = true;
+        }
+        return any && prepare();
+    }
+    void set_held(std::size_t k, bool held) {
+        bodies_[k].held = held;
+        solver_.bodies[k].pushed = !held;
+        const double mass = held ? 0 : world_.bodies.cold[bodies_[k].body].inverse_mass;
+        solver_.bodies[k].inverse_mass = mass;
+        solver_.bodies[k].inverse_masses = Vec3{mass, mass, mass};
+        turn(k);
+    }
+    void turn(std::size_t k) {
+        DirectBody& body = solver_.bodies[k];
+        body.axes = to_matrix(body.q);
+        body.turned_from = body.q;
+        if (bodies_[k].body != none && body.pushed)
+            body.inverse_inertia = body.axes * world_.bodies.cold[bodies_[k].body].inverse_inertia *
+                                   transpose(body.axes);
+    }
+
+    // FinalizeScratch has the start of bodies that moved far or were deflected.
+    void find_way(const BodyCold& cold, const BodyWarm& warm, ProjectedBody& to) const {
+        const bool recorded = cold.at < finalize_.fast.size() &&
+                              (finalize_.fast[cold.at] != 0 || finalize_.deflected[cold.at] != 0);
+        to.before = warm.center - warm.v * dt_;
+        to.turn = warm.w * dt_;
+        if (!recorded) return;
+        to.before = finalize_.previous[cold.at].center;
+        to.turn =
+            rotation_vector_between(finalize_.previous[cold.at].rotation, warm.rotation, to.turn);
     }
 
     int number_of(std::uint32_t body, std::span<const std::uint32_t> placed) {
         for (std::size_t k = bodies_.size();
              k-- > 0;)  // backwards: usually the previous joint has the body
             if (bodies_[k].body == body && body != none) return static_cast<int>(k);
-        ProjectedBody to;
-        to.body = body;
-        to.held = true;
+        ProjectedBody to{.body = body};
+        DirectBody& state = solver_.bodies.emplace_back();
         if (body != none) {
             const BodyWarm& warm = warm_of(world_, body);
             const BodyCold& cold = world_.bodies.cold[body];
-            to.center = to.start = warm.center;
+            state.x = to.start = to.before = warm.center;
             to.rotation = warm.rotation;
-            to.held = cold.type != BodyType::dynamic || cold.set != BodySet::awake ||
-                      cold.asleep_in_place || cold.locks != 0;
-            to.placed = !to.held && std::binary_search(placed.begin(), placed.end(), body);
-            to.held |= to.placed;
-            to.inverse_mass = cold.inverse_mass;
-            turn(to);
-        } else {
-            to.axes = to_matrix(Quat{});
+            if (cold.set == BodySet::awake) find_way(cold, warm, to);
+            state.q = warm.rotation;
+            state.mass = cold.mass;
+            state.moments = {cold.inertia.x.x, cold.inertia.y.y, cold.inertia.z.z};
+            to.movable = cold.type == BodyType::dynamic && cold.set == BodySet::awake &&
+                         !cold.asleep_in_place && cold.locks == 0;
+            to.placed = to.movable && std::binary_search(placed.begin(), placed.end(), body);
+            to.held = !to.movable || to.placed;
         }
         bodies_.push_back(to);
+        set_held(bodies_.size() - 1, to.held);
         return static_cast<int>(bodies_.size()) - 1;
     }
 
-    void add(const Joint& joint, std::span<const std::uint32_t> placed) {
-        const auto arm = [&](std::uint32_t body, const Transform& frame) {
-            return body == none ? frame.position
-                                : frame.position - world_.bodies.cold[body].local_center;
+    void add(const Joint& from, std::span<const std::uint32_t> placed) {
+        const auto end = [&](std::uint32_t body, const Transform& frame) {
+            const Vec3 center = body == none ? Vec3{} : world_.bodies.cold[body].local_center;
+            return DirectEnd{frame.position - center, frame.rotation};
         };
-        ProjectedJoint to;
-        to.ends.a = number_of(joint.body_a, placed);
-        to.ends.b = number_of(joint.body_b, placed);
-        to.local_a = arm(joint.body_a, joint.frame_a);
-        to.local_b = arm(joint.body_b, joint.frame_b);
-        joints_.push_back(to);
-    }
-
-    // J M^-1 J^T.
-    void assemble() {
-        matrix_.clear();
-        for (const JointSystemBlock& c : system_blocks_) {
-            const ProjectedBody& body = bodies_[as_index(c.body)];
-            const ProjectedJoint &later = joints_[as_index(c.later)],
-                                 &sooner = joints_[as_index(c.sooner)];
-            const double sign = c.later_b == c.sooner_b ? 1 : -1;
-            const Vec3 at = c.later_b ? later.arm_b : later.arm_a;
-            const Vec3 by = c.sooner_b ? sooner.arm_b : sooner.arm_a;
-            double* const block = matrix_.values().data() + c.at;
-            for (int column = 0; column < joint_rows; column++) {
-                Vec3 unit;
-                unit[column] = 1;
-                const Vec3 moved =
-                    unit * body.inverse_mass + cross(body.inverse_inertia * cross(by, unit), at);
-                for (int row = 0; row < joint_rows; row++)
-                    block[row * joint_rows + column] += sign * moved[row];
-            }
-        }
+        DirectJoint joint;
+        joint.a = number_of(from.body_a, placed);
+        joint.b = number_of(from.body_b, placed);
+        set_up_rigid(joint, from.kind, end(from.body_a, from.frame_a),
+                     end(from.body_b, from.frame_b));
+        solver_.joints.push_back(joint);
     }
 
     const WorldState& world_;
+    const FinalizeScratch& finalize_;
+    double dt_;
     std::vector<std::uint8_t>& visited_;
-    std::vector<ProjectedBody> bodies_;
-    std::vector<ProjectedJoint> joints_;
-    std::vector<JointSystemBlock> system_blocks_;
-    BlockLdl matrix_;
+    std::vector<ProjectedBody> bodies_;  // by number in the solver
+    std::vector<DirectJoint> joints_;    // with all limits
+    DirectGroup solver_;
 };
 
 }  // namespace
@@ -249,10 +252,10 @@ void project_joints(StepContext& step, std::span<const std::uint32_t> placed) {
         if (world.bodies.cold[body].first_joint == none) continue;
         if (visited.empty()) visited.resize(world.bodies.cold.size());
         if (visited[body] != 0) continue;
-        JointProjection group(world, visited);
+        JointProjection group(step, visited);
         group.find(body, placed);
-        if (group.widest() < group.close_enough() || !group.prepare()) continue;
-        if (!group.close()) group.project_with_placed();
+        if (!group.prepare() || group.is_closed()) continue;
+        group.close();
         group.apply_poses(world, step.dt);
     }
 }

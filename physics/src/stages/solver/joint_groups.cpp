@@ -5,7 +5,9 @@
 #include <variant>
 
 #include "jostle/base/check.h"
+#include "physics/src/constraint_graph/joint_memory.h"
 #include "physics/src/constraint_graph/joint_solver_preferences.h"
+#include "physics/src/constraints/joints/path_curve.h"
 #include "physics/src/constraints/joints/write_joint.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/solver/error_trial.h"
@@ -211,21 +213,94 @@ Quat carried_by(const JointGroup& group, const DirectJoint& joint, const JointKi
     return group.solver.bodies[k].q * conjugate(group.axes[k].frame);
 }
 
+// ---- gears, racks and pulleys ----
+
+DirectCarrier carrier_at(const StepContext& step, const JointGroup& group, std::uint32_t body) {
+    if (body == none) return {};
+    const std::int32_t number = step.scratch.solver.groups.number_of[body];
+    ASSERT(number >= 0);  // a hinge or slider of the group connects it
+    return {number, group.axes[static_cast<std::size_t>(number)].frame,
+            step.world.bodies.cold[body].local_center};
+}
+
+void load_gear(const Joint& from, const std::uint32_t* carriers, std::span<const DirectBody> bodies,
+               double h, DirectJoint& joint) {
+    DirectGear& gear = joint.gear[0];
+    if (!joint.free_axes.empty()) {  // a rope
+        joint.free_axes[0].at_limit = from.motor < 0 ? -1 : 0;
+    } else {
+        const std::vector<double>& memory = from.memory;
+        ASSERT(memory.size() == GearMemory::count);
+        const bool measured = memory[GearMemory::measured] != 0;
+        for (std::size_t end = 0; measured && end < 2; end++)
+            gear.ends[end].travel = memory[GearMemory::travel_a + end];
+        write_gear(gear, bodies);
+        const bool same = memory[GearMemory::carrier_a] == static_cast<double>(carriers[0]) &&
+                          memory[GearMemory::carrier_b] == static_cast<double>(carriers[1]);
+        gear.target = measured && same ? memory[GearMemory::sum] : gear.value;
+    }
+    joint.force[0] = from.motor * 0.5 / h;
+    write_vectors(joint, bodies);
+}
+
+void save_gear(const DirectJoint& joint, const std::uint32_t* carriers, double h, Joint& to) {
+    const DirectGear& gear = joint.gear[0];
+    const bool slack = !joint.free_axes.empty() && joint.free_axes[0].at_limit == 0;
+    to.motor = slack ? 0 : joint.force[0] * 2 * h;
+    if (to.memory.empty()) return;
+    to.memory[GearMemory::measured] = 1;
+    to.memory[GearMemory::carrier_a] = static_cast<double>(carriers[0]);
+    to.memory[GearMemory::carrier_b] = static_cast<double>(carriers[1]);
+    for (std::size_t end = 0; end < 2; end++)
+        to.memory[GearMemory::travel_a + end] = gear.ends[end].travel;
+    to.memory[GearMemory::sum] = gear.target;
+}
+
+// ---- paths ----
+
+double start_on_path(const Joint& from, const PathJoint& path, const DirectJoint& joint,
+                     const DirectBody& a, const DirectBody& b) {
+    if (from.memory[PathMemory::found] != 0) return from.memory[PathMemory::at];
+    const Vec3 apart = (b.x + b.axes * joint.arm_b) - (a.x + a.axes * joint.arm_a);
+    return nearest_path_point(path, inverse_rotate(a.q * joint.frame_a, apart)).at;
+}
+
+void save_path(const DirectJoint& joint, Joint& to) {
+    const double before = to.memory[PathMemory::at];
+    const double at = parameter_within(*joint.path, joint.path_at);
+    to.memory[PathMemory::step] =
+        to.memory[PathMemory::found] == 0 ? 0 : parameter_step(*joint.path, before, at);
+    to.memory[PathMemory::found] = 1;
+    to.memory[PathMemory::at] = at;
+}
+
 void gather_joint(const StepContext& step, JointGroup& group, std::size_t k, double h) {
     const WorldState& world = step.world;
     const std::vector<std::int32_t>& number_of = step.scratch.solver.groups.number_of;
     const Joint& from = world.joints.joints[group.joints[k]];
     DirectJoint& joint = group.solver.joints[k];
     std::vector<FreeAxis> free_axes = std::move(joint.free_axes);  // to reuse its memory
+    std::vector<DirectGear> gear = std::move(joint.gear);
     free_axes.clear();
+    gear.clear();
     joint = {};
     joint.free_axes = std::move(free_axes);
+    joint.gear = std::move(gear);
     joint.a = from.body_a == none ? number_of.back() : number_of[from.body_a];
     joint.b = number_of[from.body_b];
     const auto a = static_cast<std::size_t>(joint.a), b = static_cast<std::size_t>(joint.b);
     set_up(joint, from.kind, end_of(world.bodies, group, a, from.frame_a),
            end_of(world.bodies, group, b, from.frame_b));
+    if (joint.is_gear()) {
+        const std::uint32_t carriers[] = {find_carrier(world.bodies, world.joints, from, 0),
+                                          find_carrier(world.bodies, world.joints, from, 1)};
+        set_carriers(joint, carrier_at(step, group, carriers[0]),
+                     carrier_at(step, group, carriers[1]));
+        return load_gear(from, carriers, group.solver.bodies, h, joint);
+    }
     const DirectBody &body_a = group.solver.bodies[a], &body_b = group.solver.bodies[b];
+    if (joint.path != nullptr)
+        joint.path_at = start_on_path(from, *joint.path, joint, body_a, body_b);
     write_vectors(joint, body_a, body_b);
     load_forces(joint, body_a, body_b, read_warm_start(from, carried_by(group, joint, from.kind)),
                 h);
@@ -239,7 +314,10 @@ bool gather(StepContext& step, std::uint32_t island, std::int64_t budget) {
         scratch.of_island[island] = std::make_unique<JointGroup>();
     JointGroup& group = *scratch.of_island[island];
     list_joints(world.bodies, world.joints, world.islands.islands[island], group);
-    if (is_net(static_cast<int>(group.joints.size()),
+    const auto gears = std::count_if(
+        group.joints.begin(), group.joints.end(),
+        [&](std::uint32_t joint) { return joint_is_geared(world.joints.joints[joint].kind); });
+    if (is_net(static_cast<int>(group.joints.size()) - static_cast<int>(gears),
                static_cast<int>(world.islands.islands[island].bodies)) &&
         (budget == 0 || group.joints.size() > tuning::max_net_joints))
         return false;
@@ -268,7 +346,17 @@ void scatter_joint(StepContext& step, JointGroup& group, std::size_t k, double h
     DirectJoint& joint = group.solver.joints[k];
     const DirectBody& b = group.solver.bodies[static_cast<std::size_t>(joint.b)];
     const DirectBody& a = group.solver.bodies[static_cast<std::size_t>(joint.a)];
+    if (joint.is_gear()) {
+        const std::uint32_t carriers[] = {find_carrier(world.bodies, world.joints, to, 0),
+                                          find_carrier(world.bodies, world.joints, to, 1)};
+        write_vectors(joint, group.solver.bodies);
+        save_gear(joint, carriers, h, to);
+        to.force = joint.force_sum * (1 / step.dt);
+        to.torque = joint.torque_sum * (1 / step.dt);
+        return;
+    }
     write_vectors(joint, a, b);
+    if (joint.path != nullptr) save_path(joint, to);
     write_warm_start(to, carried_by(group, joint, to.kind), save_forces(joint, a, b, h));
     to.force = joint.force_sum * (1 / step.dt);
     to.torque = joint.torque_sum * (1 / step.dt);

@@ -51,6 +51,7 @@ Skipped solve_constraints(StepContext& step) {
         return "nothing touches and nothing is jointed";
     if (!scratch.bodies.all.empty()) {
         resize_records(bodies, scratch);
+        scratch.limited_groups.resize(step.world.joints.joints.size());
         const std::vector<SolverTask> tasks = make_tasks(step);
         run_tasks(step, tasks);
         count_direct_passes(tasks, scratch, step.world.profile);

@@ -114,12 +114,8 @@ void each_block(StepContext& step, JointLevels& levels, Visit&& visit) {
     });
 }
 
-// `repeated`: the pass for runs whose limits are solved again after the contacts; null: none.
-void run_pass(StepContext& step, JointLevels& levels, JointPass others, JointPass repeated,
-              const JointStep& numbers) {
+void run_pass(StepContext& step, JointLevels& levels, JointPass pass, const JointStep& numbers) {
     for (const JointRun& run : levels.runs) {
-        const JointPass pass = is_repeated_kernel(run.kind) ? repeated : others;
-        if (pass == nullptr) continue;
         const int count = run.end - run.begin;
         ASSERT(count > 0 && run.end <= static_cast<int>(levels.blocks.size()));
         const auto work = [&](int begin, int end) {
@@ -148,16 +144,6 @@ void each_body(StepContext& step, const JointTask& task, void (*pass)(const Body
         static_cast<int>(task.bodies.size()), tuning::body_grain, [&](int begin, int end) {
             pass({scratch.hot.data(), scratch.external.data(), task.bodies.data(), begin, end});
         });
-}
-
-void repeat_limits(StepContext& step, const JointTask& task, JointPass pass, double h) {
-    const std::vector<JointRun>& runs = task.levels.runs;
-    if (std::none_of(runs.begin(), runs.end(),
-                     [](const JointRun& run) { return is_repeated_kernel(run.kind); }))
-        return;
-    each_body(step, task, kernels().begin_joints);
-    run_pass(step, task.levels, nullptr, pass, joint_step(h));
-    each_body(step, task, kernels().end_joints);
 }
 
 }  // namespace
@@ -209,25 +195,16 @@ void solve_joints(StepContext& step, const JointTask& task, double h) {
     if (task.levels.runs.empty()) return;
     const JointStep numbers = joint_step(h);
     each_body(step, task, kernels().begin_joints);
-    run_pass(step, task.levels, kernels().warm_start_joints, kernels().warm_start_joints, numbers);
-    run_pass(step, task.levels, kernels().solve_joints, kernels().solve_joints, numbers);
+    run_pass(step, task.levels, kernels().warm_start_joints, numbers);
+    run_pass(step, task.levels, kernels().solve_joints, numbers);
     each_body(step, task, kernels().end_joints);
 }
 
 void relax_joints(StepContext& step, const JointTask& task, double h) {
     if (task.levels.runs.empty()) return;
     each_body(step, task, kernels().begin_joints);
-    run_pass(step, task.levels, kernels().relax_joints, kernels().relax_joints_first,
-             joint_step(h));
+    run_pass(step, task.levels, kernels().relax_joints, joint_step(h));
     each_body(step, task, kernels().end_joints);
-}
-
-void solve_limits(StepContext& step, const JointTask& task, double h) {
-    repeat_limits(step, task, kernels().solve_joints, h);
-}
-
-void relax_limits(StepContext& step, const JointTask& task, double h) {
-    repeat_limits(step, task, kernels().relax_joints, h);
 }
 
 void finish_joints(StepContext& step, const JointTask& task) {

@@ -8,6 +8,7 @@
 
 #include "physics/src/constraint_graph/joint_levels.h"
 #include "physics/src/constraints/joints/joint_batches.h"
+#include "physics/src/stages/solver/limited_groups.h"
 #include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
@@ -17,6 +18,7 @@ namespace jostle::physics {
 struct JointTask {
     JointLevels& levels;
     JointBatches& batches;
+    LimitedGroups& limited;
     std::span<const std::uint32_t> bodies;
 };
 
@@ -53,10 +55,6 @@ bool shares_levels(const JointTask& task);
 void solve_joints(StepContext& step, const JointTask& task, double h);
 // A rigid pass without position correction.
 void relax_joints(StepContext& step, const JointTask& task, double h);
-// Repeat both passes after the contacts, for hinges with limits and cones: an impact would push a
-// limb through its limit otherwise.
-void solve_limits(StepContext& step, const JointTask& task, double h);
-void relax_limits(StepContext& step, const JointTask& task, double h);
 // Call after the last sub-step: writes impulses and loads to the joints.
 void finish_joints(StepContext& step, const JointTask& task);
 // Call serially after all tasks: breaks overloaded joints in ascending order, with an event for

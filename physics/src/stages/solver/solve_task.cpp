@@ -13,6 +13,7 @@
 #include "physics/src/stages/solver/contact_groups.h"
 #include "physics/src/stages/solver/error_trial.h"
 #include "physics/src/stages/solver/gather_bodies.h"
+#include "physics/src/stages/solver/hold_limits.h"
 #include "physics/src/stages/solver/integrate_gyroscopic.h"
 #include "physics/src/stages/solver/solve_joints.h"
 #include "physics/src/stages/solver/substep_hooks.h"
@@ -123,9 +124,9 @@ void run_substeps(StepContext& step, const SolverTask& task, const ContactSettin
         solve_joints(step, joints, h);
         solve_joint_batches(step, joints, h, false);
         passes.solve();
-        solve_limits(step, joints, h);
         begin_gyroscopic(step, joints.bodies, h);
         solve_joint_batches(step, joints, h, true);
+        hold_limited_groups(step, joints, h);
         each_body(step, task, [&](std::span<const std::uint32_t> some) {
             integrate_gyroscopic(step, some, h);
             kernel.advance(range_of(scratch, some), set.h);
@@ -133,7 +134,6 @@ void run_substeps(StepContext& step, const SolverTask& task, const ContactSettin
         kernel.advance(range_of(scratch, kinematic), set.h);
         relax_joints(step, joints, h);
         passes.relax(last);
-        relax_limits(step, joints, h);
         relax_joint_batches(step, joints, h);
         if (bounces) record_peaks(contacts);
         substep_info.after = true;
@@ -145,7 +145,7 @@ void run_substeps(StepContext& step, const SolverTask& task, const ContactSettin
 JointTask joints_of(StepContext& step, const SolverTask& task) {
     SolverScratch& scratch = step.scratch.solver;
     return {scratch.joints[task.first], scratch.joint_batches[task.first],
-            scratch.jointed.of(task.first, task.last)};
+            scratch.limited[task.first], scratch.jointed.of(task.first, task.last)};
 }
 
 // Prepares and runs all sub-steps. Afterwards bodies, contacts and joints have their final values,
@@ -165,6 +165,7 @@ void solve_with(StepContext& step, const SolverTask& task, const ContactSettings
                        scratch.in_fields[task.first]);
     const JointTask joints = joints_of(step, task);
     prepare_joints(step, joints, h);
+    find_limited_groups(step, joints);
     std::vector<ColourRun>& colours = scratch.colour_runs[task.first];
     list_runs(world.graph, task.first, task.last, colours);
     // If threads share neither colours nor levels, sharing the passes over bodies would only move

@@ -8,6 +8,7 @@
 #include <array>
 #include <cstddef>
 #include <cstdint>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -21,6 +22,7 @@
 #include "physics/src/constraints/contact_passes.h"
 #include "physics/src/constraints/joints/joint_batches.h"
 #include "physics/src/stages/solver/joint_group_scratch.h"
+#include "physics/src/stages/solver/limited_groups.h"
 
 namespace jostle::physics {
 
@@ -89,6 +91,8 @@ struct SolverScratch {
     // Indexed by the first set of a task.
     std::array<JointLevels, solved_set_count> joints;
     std::array<JointBatches, solved_set_count> joint_batches;
+    std::array<LimitedGroups, solved_set_count> limited;
+    std::vector<std::unique_ptr<LimitedGroup>> limited_groups;  // by the lowest joint of a group
     std::array<std::vector<ColourRun>, solved_set_count> colour_runs;
     std::array<std::vector<std::uint32_t>, solved_set_count> in_fields;  // hot indices
     std::array<ErrorTrial, solved_set_count> trials;

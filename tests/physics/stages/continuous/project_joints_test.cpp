@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <vector>
 
 #include "tests/support/world_builder.h"
@@ -46,6 +47,37 @@ TEST(ProjectJoints, thrown_chain_has_closed_joints_after_each_step) {
     }
     EXPECT_LT(worst, 0.01);
     EXPECT_LT(furthest, 0);
+}
+
+// The same for hinges with limits of 0.3 rad, thrown askew: neither ends nor limits give way.
+TEST(ProjectJoints, thrown_chain_stays_within_its_limits) {
+    World world = make_world({.gravity = {}});
+    add(world, {.geometry = Box{{0.01, 5, 5}}, .type = BodyType::static_body});
+    std::vector<JointId> joints;
+    BodyId last{};
+    for (int k = 0; k < 4; k++) {
+        const BodyId link = add(world, {.geometry = Box{{0.2, 0.05, 0.05}},
+                                        .position = {-1.3 - 0.4 * k, 0, 0},
+                                        .velocity = {50, 3.0 * k, 0}});
+        if (k > 0)
+            joints.push_back(
+                must(world.create_joint({.body_a = last,
+                                         .body_b = link,
+                                         .frame_a = {{-0.2, 0, 0}, {}},
+                                         .frame_b = {{0.2, 0, 0}, {}},
+                                         .kind = HingeJoint{.limit = {true, -0.3, 0.3}}})));
+        last = link;
+    }
+    double gap = 0, beyond = 0;
+    for (int step = 0; step < 30; step++) {
+        must(world.step(1.0 / 60));
+        for (const JointId joint : joints) {
+            gap = std::max(gap, must(world.joint(joint)).separation);
+            beyond = std::max(beyond, std::abs(must(world.joint(joint)).angle) - 0.3);
+        }
+    }
+    EXPECT_LT(gap, 2e-3);
+    EXPECT_LT(beyond, 0.02);
 }
 
 }  // namespace

@@ -73,7 +73,7 @@ static_assert(index_of(asleep_set) == colour_set_count - 1);
 // sleep, the bodies that come to rest save more time than the sub-steps cost.
 inline int substeps_of(SolverTier tier, const WorldDef& world) {
     ASSERT(tier != SolverTier::asleep && world.substeps >= 1);
-    constexpr std::array<int, tier_count + 1> halves = {1, 2, 2, 2, 4, 8, 2};
+    constexpr std::array<int, tier_count + 1> halves = {1, 2, 2, 2, 4, 8, 1};
     const int most = tier == SolverTier::pile && world.sleeping ? 3 : halves[index_of(tier)];
     ASSERT(most >= 1);
     return (world.substeps * most + 1) / 2;

@@ -63,12 +63,15 @@ JOSTLE_INLINE void load_inertia(WideSide& s) {
         for (int k = 0; k < lane_count; k++) s.free_z[k] = s.rows[k][8 + 6];
 }
 
+// Index of the body of a lane, relative to the first one of the block. Lanes from 8 belong to the
+// next block.
+constexpr int side_index(int lane) {
+    constexpr auto next = static_cast<int>(sizeof(ContactConstraintWide) / sizeof(std::int32_t));
+    return lane < 8 ? lane : next + lane - 8;
+}
+
 JOSTLE_INLINE void load_side(WideSide& s, const SolverBody* bodies, const std::int32_t* index) {
-    for (int k = 0; k < lane_count; k++) {
-        constexpr auto next =
-            static_cast<int>(sizeof(ContactConstraintWide) / sizeof(std::int32_t));
-        s.rows[k] = bodies[index[k < 8 ? k : next + k - 8]].v;
-    }
+    for (int k = 0; k < lane_count; k++) s.rows[k] = bodies[index[side_index(k)]].v;
     load_rows(s.rows, 0, s.state);
     s.v = {s.state[0], s.state[1], s.state[2]};
     s.w = {s.state[3], s.state[4], s.state[5]};

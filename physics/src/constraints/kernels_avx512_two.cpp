@@ -9,12 +9,14 @@
 #define JOSTLE_TWO_BLOCKS
 #include "physics/src/constraints/contact_kernel.h"
 #include "physics/src/constraints/kernels.h"
+#include "physics/src/constraints/planar_kernel.h"
 
 namespace jostle::physics::avx512_two {
 namespace {
 
-bool is_alike(const ContactConstraintWideMeta& a, const ContactConstraintWideMeta& b) {
+bool is_alike(const ContactConstraintWideMeta& a, const ContactConstraintWideMeta& b, bool planar) {
     const auto none = [&](LaneFlag flag) { return (a.bits(flag) | b.bits(flag)) == 0; };
+    if (planar) return none(LaneFlag::rolls);
     return none(LaneFlag::locked) && none(LaneFlag::rolls) &&
            (a.bits(LaneFlag::anisotropic) != 0) == (b.bits(LaneFlag::anisotropic) != 0);
 }
@@ -25,7 +27,9 @@ void solve_two(const ContactRange& range, int k, SolverBody* bodies, const Conta
     ContactConstraintWideMeta& meta = range.metas[k];
     const int sweeps = kRelax ? set.relax_sweeps : set.soft_sweeps;
     PairReport report;
-    if (range.single)
+    if (set.planar)
+        report = solve_planar<kPair, kRelax, kLast>(block, meta, nullptr, bodies, set);
+    else if (range.single)
         report = meta.bits(LaneFlag::anisotropic) != 0
                      ? solve_block<1, kPair, Inertia::full, kRelax, kLast>(block, meta, nullptr,
                                                                            bodies, set, 1)
@@ -50,11 +54,10 @@ void solve_two(const ContactRange& range, int k, SolverBody* bodies, const Conta
 template <bool kRelax, bool kLast>
 void solve_range(const ContactRange& range, SolverBody* bodies, const ContactSettings& set,
                  ContactPass one) {
-    if (set.planar || range.one_by_one || range.pair == PairKind::kinematic)
-        return one(range, bodies, set);
+    if (range.one_by_one || range.pair == PairKind::kinematic) return one(range, bodies, set);
     ContactRange left = range;
     for (int k = range.begin; k < range.end;) {
-        if (k + 1 < range.end && is_alike(range.metas[k], range.metas[k + 1])) {
+        if (k + 1 < range.end && is_alike(range.metas[k], range.metas[k + 1], set.planar)) {
             if (range.pair == PairKind::static_)
                 solve_two<PairKind::static_, kRelax, kLast>(range, k, bodies, set);
             else

@@ -11,13 +11,13 @@
 namespace jostle::physics::JOSTLE_ISA {
 
 struct PlanarSide {
-    const float* rows[8];
+    const float* rows[lane_count];
     Wide state[8];  // row 0
     Wide vx, vy, w;
 };
 
 JOSTLE_INLINE void load_planar(PlanarSide& s, const SolverBody* bodies, const std::int32_t* index) {
-    for (int k = 0; k < 8; k++) s.rows[k] = bodies[index[k]].v;
+    for (int k = 0; k < lane_count; k++) s.rows[k] = bodies[index[side_index(k)]].v;
     load_rows(s.rows, 0, s.state);
     s.vx = s.state[0];
     s.vy = s.state[1];
@@ -85,7 +85,7 @@ void warm_start_planar(ContactConstraintWide& m, const RollingWide* rolling, Sol
     const Wide total = l0 + l1;
     // A point at x along the tangent: its moment about the centre is x (t x n) lambda.
     Wide l = -(load(m.x[0]) * l0 + load(m.x[1]) * l1) * pair.z_sign;
-    if (rolling != nullptr) l += load(rolling->roll[1]) * pair.z_sign;
+    if (rolling != nullptr) l += load<RollingWide>(rolling->roll[1]) * pair.z_sign;
     pair.apply(pair.nx * total + pair.tx * f, pair.ny * total + pair.ty * f, l);
     pair.store();
 }
@@ -128,7 +128,7 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
         velocities();
         const Wide limit = load(m.mu) * pressing();
         Wide u1 = pair.tx * ux + pair.ty * uy;
-        if (rolling != nullptr) u1 += load(rolling->surface[0]);
+        if (rolling != nullptr) u1 += load<RollingWide>(rolling->surface[0]);
         const Wide old = load(m.friction[0]), unclamped = old - load(m.friction_mass[0]) * u1;
         const Wide now = select(of, max(-limit, min(unclamped, limit)), old);
         store(m.friction[0], now);
@@ -136,12 +136,12 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
         if (rolling != nullptr) {
             // Rolling resistance: about z.
             velocities();
-            const Wide k = load(m.g[5]), hold = load(rolling->rolling) * pressing();
-            const Wide old_roll = load(rolling->roll[1]);
+            const Wide k = load(m.g[5]), hold = load<RollingWide>(rolling->rolling) * pressing();
+            const Wide old_roll = load<RollingWide>(rolling->roll[1]);
             const Wide new_roll = select(
                 of, max(-hold, min(old_roll - pair.z_sign * w / max(k, splat(1e-30f)), hold)),
                 old_roll);
-            store(rolling->roll[1], new_roll);
+            store<RollingWide>(rolling->roll[1], new_roll);
             pair.apply(zero, zero, pair.z_sign * (new_roll - old_roll));
         }
         return absolute(unclamped) > limit;
@@ -246,12 +246,12 @@ PairReport solve_planar(ContactConstraintWide& m, ContactConstraintWideMeta& met
         const Wide lever = max(load(m.friction_radius), splat(0.3f) * scale.length);
         const Wide displacement = root(mx * mx + my * my) + lever * root(rotated * rotated) +
                                   splat(0.3f) * scale.length * root(dar * dar);
-        const Wide age = load(meta.moved) + displacement;
-        store(meta.moved, age);
+        const Wide age = load<ContactConstraintWideMeta>(meta.moved) + displacement;
+        store<ContactConstraintWideMeta>(meta.moved, age);
         report.needs_rebuild = lane_bits(age > splat(set.rebuild_drift) * scale.length) |
                                lane_bits(displacement > splat(set.rebuild_motion) * scale.speed);
         report.touching = lane_bits(sum > zero) |
-                          (meta.bits(LaneFlag::touching) &
+                          (touching_lanes(meta) &
                            lane_bits(min(gap0, gap1) < splat(set.touch_gap) * scale.length));
     }
     return report;

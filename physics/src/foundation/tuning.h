@@ -183,7 +183,10 @@ inline constexpr double heavy_ratio = 100;
 // Islands with a body that carries this many times its mass per layer above it are solved directly
 // if they have at most so many bodies and manifolds.
 inline constexpr double direct_load_ratio = 2.5;
-inline constexpr std::uint32_t max_group_bodies = 64, max_group_manifolds = 160;
+inline constexpr std::uint32_t max_group_bodies = 64, max_group_manifolds = 100;
+// Work of such an island, and of all of them, after which the rest of a step is sweeps. In products
+// of 6 x 6 blocks, 0.05 us each.
+inline constexpr std::int64_t max_group_work = 120'000, max_direct_step_work = 240'000;
 inline constexpr double lies_on = 0.3;  // cosine; a normal this close to vertical supports load
 // Impulses of an island are scaled down if it retains less than this fraction of its mass in a
 // step.
@@ -289,11 +292,12 @@ inline constexpr int sweep_impacts = 16;  // of one body in one step; then it st
 // to 1 us for two boxes and 2.9 us for two hulls of 32 vertices; narrow_phase_work is an average.
 inline constexpr std::int64_t body_work = 500;           // an awake body
 inline constexpr std::int64_t narrow_phase_work = 1000;  // a narrow-phase test
-inline constexpr std::int64_t composite_work = 3000;  // additional cost with a mesh or a compound
-inline constexpr std::int64_t contact_work = 40;      // a contact in a sub-step
-inline constexpr std::int64_t joint_work = 200;       // a joint in a sub-step
-inline constexpr std::int64_t sweep_work = 900;       // a continuous collision test
-inline constexpr std::int64_t impact_work = 1000;     // an impact in the continuous stage
+inline constexpr std::int64_t composite_work = 3000;   // additional cost with a mesh or a compound
+inline constexpr std::int64_t contact_work = 40;       // a contact in a sub-step
+inline constexpr std::int64_t joint_work = 200;        // a joint in a sub-step
+inline constexpr std::int64_t sweep_work = 900;        // a continuous collision test
+inline constexpr std::int64_t impact_work = 1000;      // an impact in the continuous stage
+inline constexpr std::int64_t direct_block_work = 50;  // a product of 6 x 6 blocks
 inline constexpr std::int64_t work_unit = 100;
 // The overload level falls by one after this many consecutive steps below this fraction of the
 // budget. Half a second, so that the level does not oscillate. One level saves at most half of the

@@ -50,7 +50,8 @@ std::int64_t step_work(const StepProfile& profile) {
             tuning::narrow_phase_work * profile.pairs_checked +
             tuning::composite_work * profile.composites_checked +
             tuning::contact_work * profile.contact_substeps +
-            tuning::joint_work * profile.joint_substeps + tuning::sweep_work * profile.sweeps +
+            tuning::joint_work * profile.joint_substeps +
+            tuning::direct_block_work * profile.direct_work + tuning::sweep_work * profile.sweeps +
             tuning::impact_work * profile.impacts) /
            tuning::work_unit;
 }

@@ -64,6 +64,7 @@ struct StepProfile {
     /// Passes over the groups of bodies_direct, two per sub-step, and those that missed their
     /// tolerance.
     int direct_passes = 0, direct_passes_unsolved = 0;
+    std::int64_t direct_work = 0;  ///< their work, in products of 6 x 6 blocks
     /// Tracked pairs of shapes, awake or asleep. A pair with a mesh, a height field or a compound
     /// counts once more for each of its manifolds.
     int pairs = 0;

@@ -15,6 +15,9 @@
 namespace jostle::physics {
 namespace {
 
+// Of one iteration, in products of blocks: measured for boxes.
+constexpr std::int64_t work_per_manifold = 20;
+
 std::size_t index(int i) {
     ASSERT(i >= 0);
     return static_cast<std::size_t>(i);
@@ -82,7 +85,8 @@ Followed follow(const ManifoldOfGroup& manifold, const SolverBody& a, const Solv
 
 }  // namespace
 
-void ContactGroup::set(std::vector<SolverBody*> bodies, std::vector<ManifoldOfGroup> contacts) {
+void ContactGroup::set(std::vector<SolverBody*> bodies, std::vector<ManifoldOfGroup> contacts,
+                       std::int64_t max_work) {
     bodies_ = std::move(bodies);
     manifolds_ = std::move(contacts);
     std::vector<int> first(bodies_.size());
@@ -96,6 +100,9 @@ void ContactGroup::set(std::vector<SolverBody*> bodies, std::vector<ManifoldOfGr
     matrix_.set_pattern(first);
     impulses_.clear();
     unsolved_ = 0;
+    missed_ = false;
+    work_ = 0;
+    max_work_ = max_work;
 }
 
 void ContactGroup::load_bodies() {
@@ -135,16 +142,8 @@ GroupRow& ContactGroup::add_row(const ManifoldOfGroup& manifold, Vec3 direction,
         put(v, to_vec3(manifold.mover->v), to_vec3(manifold.mover->w));
         row.offset += dot6(j, v);
     }
+    row.free = row.offset;
     return row;
-}
-
-// All that is higher than the lower body of a contact: in a stack this is the load.
-double ContactGroup::load_above(const ManifoldOfGroup& manifold) const {
-    const int lowest = manifold.b < 0 ? manifold.a : std::min(manifold.a, manifold.b) + 1;
-    double load = 0;
-    for (std::size_t i = index(lowest); i < bodies_.size(); i++)
-        load += 1 / double{bodies_[i]->inverse_mass};
-    return load;
 }
 
 // Rows that nothing can move are left out.
@@ -176,7 +175,7 @@ void ContactGroup::load_manifold(const ContactSettings& settings, const Manifold
     const double s0 = dot(n, at.moved), s1 = dot(t1, at.rotated), s2 = dot(t2, at.rotated);
 
     problem_.contacts.push_back({static_cast<int>(problem_.rows.size()), 0,
-                                 static_cast<int>(problem_.discs.size()), 0, load_above(manifold)});
+                                 static_cast<int>(problem_.discs.size()), 0, manifold.load});
     for (int i = 0; i < 4; i++) {
         const double x = double{m.x[i][lane]}, y = double{m.y[i][lane]};
         const double start = double{m.gap[i][lane]};
@@ -227,14 +226,20 @@ void ContactGroup::store_velocities() const {
 void ContactGroup::store() const {
     if (impulses_.empty()) return;
     store_velocities();
+    store_impulses();
+}
+
+void ContactGroup::store_impulses() const {
     for (std::size_t k = 0; k < manifolds_.size(); k++) {
         const ContactLaneRef& lane_ref = manifolds_[k].lane_ref;
         ContactConstraintWide& m = *lane_ref.block;
         const int lane = lane_ref.lane;
         int row = problem_.contacts[k].first;
         const auto next = [&] { return static_cast<float>(problem_.row(row++).impulse); };
+        // Sweeps pull impulses towards their means, which must not lag behind.
         for (int i = 0; i < 4; i++)
-            if (!(m.gap[i][lane] > 0.5f * no_point)) m.lambda[i][lane] = next();
+            if (!(m.gap[i][lane] > 0.5f * no_point))
+                m.lambda[i][lane] = m.mean_impulse[i][lane] = next();
         m.friction[0][lane] = next();
         m.friction[1][lane] = next();
         m.torsion[lane] = next();
@@ -244,12 +249,29 @@ void ContactGroup::store() const {
     }
 }
 
+// Sets y_ to the effect of the impulses before the pass. Returns whether they add energy: impulses
+// that press light bodies from both sides do, because the bodies have moved.
+bool ContactGroup::start_adds_energy(double usual_speed) {
+    std::fill(y_.begin(), y_.end(), 0.0);
+    double energy = 0, allowed = 0;
+    for (std::size_t i = 0; i < start_.size(); i++) {
+        energy += start_[i] * problem_.rows[i].free;
+        add_impulse(problem_.rows[i], start_[i], y_);
+    }
+    for (const double y : y_) energy += 0.5 * y * y;
+    for (const SolverBody* body : bodies_)
+        allowed += usual_speed * usual_speed / double{body->inverse_mass};
+    return energy > allowed;
+}
+
 bool ContactGroup::find_solution(double tolerance) {
-    if (unsolved_ >= max_unsolved) return false;
+    if (unsolved_ >= max_unsolved || work_ >= max_work_) return false;
     if (!impulses_.empty() && solver_.still_solves(problem_, y_, tolerance)) return true;
-    if (solver_.solve(problem_, matrix_, y_, tolerance)) return true;
-    unsolved_++;
-    return false;
+    const bool solved = solver_.solve(problem_, matrix_, y_, tolerance);
+    work_ +=
+        solver_.iterations() * (matrix_.products() + work_per_manifold * std::ssize(manifolds_));
+    if (!solved) unsolved_++;
+    return solved;
 }
 
 bool ContactGroup::run(const ContactSettings& settings, bool relaxing) {
@@ -265,13 +287,16 @@ bool ContactGroup::run(const ContactSettings& settings, bool relaxing) {
     start_.resize(problem_.rows.size());
     for (std::size_t i = 0; i < start_.size(); i++) start_[i] = problem_.rows[i].impulse;
     const bool solved = find_solution(tolerance);
+    missed_ = missed_ || !solved;
     impulses_.clear();
     if (solved) {
         for (const GroupRow& row : problem_.rows) impulses_.push_back(row.impulse);
     } else {
-        std::fill(y_.begin(), y_.end(), 0.0);
-        for (std::size_t i = 0; i < start_.size(); i++)
-            add_impulse(problem_.rows[i], start_[i], y_);
+        for (std::size_t i = 0; i < start_.size(); i++) problem_.rows[i].impulse = start_[i];
+        if (start_adds_energy(tolerance / relative_tolerance)) {
+            std::fill(y_.begin(), y_.end(), 0.0);
+            for (GroupRow& row : problem_.rows) row.impulse = 0;
+        }
     }
     velocity_ = free_;
     for (std::size_t i = 0; i < bodies_.size(); i++) {
@@ -283,10 +308,8 @@ bool ContactGroup::run(const ContactSettings& settings, bool relaxing) {
         v[4] += c[3] * y[3] + c[4] * y[4];
         v[5] += c[6] * y[3] + c[7] * y[4] + c[8] * y[5];
     }
-    if (solved)
-        store();
-    else
-        store_velocities();
+    store_velocities();
+    store_impulses();
     return solved;
 }
 

@@ -23,22 +23,29 @@ struct ManifoldOfGroup {
     ContactLaneRef lane_ref;
     int a = 0, b = -1;                  // bodies of the group; b: -1 if contacts do not move it
     const SolverBody* mover = nullptr;  // the second body if it is kinematic
+    double load = 0;                    // kg, estimate of what lies on the contact
 };
 
 // Not thread-safe; different groups are independent.
 class ContactGroup {
 public:
     // `bodies`: in an order in which bodies that touch are close to each other; distinct, and none
-    // of them immovable. The velocities of the bodies are those without contacts.
-    void set(std::vector<SolverBody*> bodies, std::vector<ManifoldOfGroup> contacts);
+    // of them immovable. The velocities of the bodies are those without contacts. `max_work`: about
+    // the products of two 6 x 6 blocks after which no solution is looked for, either.
+    void set(std::vector<SolverBody*> bodies, std::vector<ManifoldOfGroup> contacts,
+             std::int64_t max_work);
 
     // Before the bodies move: gaps close at most, and overlaps are pushed out. Returns whether a
     // solution was found. Otherwise the bodies have the velocities of the impulses of the pass
-    // before, from which sweeps can start. After max_unsolved passes without a solution none is
-    // looked for until the next set().
+    // before, from which sweeps can start; of no impulses if those would add energy. After
+    // max_unsolved passes without a solution none is looked for until the next set().
     bool solve(const ContactSettings& settings) { return run(settings, false); }
     // The same after they moved, without push-out.
     bool relax(const ContactSettings& settings) { return run(settings, true); }
+    // Whether a pass since set() found no solution.
+    bool missed() const { return missed_; }
+    // Products of blocks since set().
+    std::int64_t work() const { return work_; }
     // Writes the last solution again, after a pass that changed it. Nothing if there is none.
     void store() const;
 
@@ -57,9 +64,10 @@ private:
     void load_manifold(const ContactSettings& settings, const ManifoldOfGroup& manifold,
                        bool relaxing);
     GroupRow& add_row(const ManifoldOfGroup& manifold, Vec3 direction, Vec3 turn_a, Vec3 turn_b);
-    double load_above(const ManifoldOfGroup& manifold) const;  // kg
     void add_disc(int first, int size, double factor);
+    bool start_adds_energy(double usual_speed);
     void store_velocities() const;
+    void store_impulses() const;
 
     std::vector<SolverBody*> bodies_;
     std::vector<ManifoldOfGroup> manifolds_;
@@ -72,6 +80,8 @@ private:
     std::vector<double> start_;     // impulses before the pass
     std::vector<double> impulses_;  // of all rows; empty if the last pass found no solution
     int unsolved_ = 0;              // passes since set()
+    bool missed_ = false;
+    std::int64_t work_ = 0, max_work_ = 0;
 };
 
 }  // namespace jostle::physics

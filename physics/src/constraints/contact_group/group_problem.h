@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "jostle/base/check.h"
+#include "physics/src/constraints/contact_group/six.h"
 
 namespace jostle::physics {
 
@@ -17,6 +18,7 @@ struct GroupRow {
     int a = 0, b = -1;              // bodies; b: -1 if contacts do not move the second body
     double ga[6] = {}, gb[6] = {};  // Jacobian times the square root of the inverse mass
     double offset = 0;              // m/s without impulses, including what the row has to close
+    double free = 0;                // m/s without impulses
     double response = 0;            // 1/kg: G G^T
     double impulse = 0;             // N s: start value and result
 };
@@ -53,11 +55,6 @@ struct GroupProblem {
     GroupRow& row(int i) { return rows[static_cast<std::size_t>(i)]; }
 };
 
-inline double dot6(const double* a, const double* b) {
-    double sum = 0;
-    for (int k = 0; k < 6; k++) sum += a[k] * b[k];
-    return sum;
-}
 // Velocity of a row from y without its offset.
 inline double velocity_of(const GroupRow& row, std::span<const double> y) {
     const double of_a = dot6(row.ga, &y[static_cast<std::size_t>(6 * row.a)]);
@@ -65,11 +62,8 @@ inline double velocity_of(const GroupRow& row, std::span<const double> y) {
 }
 // y += G^T impulse
 inline void add_impulse(const GroupRow& row, double impulse, std::span<double> y) {
-    double* a = &y[static_cast<std::size_t>(6 * row.a)];
-    for (int k = 0; k < 6; k++) a[k] += row.ga[k] * impulse;
-    if (row.b < 0) return;
-    double* b = &y[static_cast<std::size_t>(6 * row.b)];
-    for (int k = 0; k < 6; k++) b[k] += row.gb[k] * impulse;
+    add_six(&y[static_cast<std::size_t>(6 * row.a)], load_six(row.ga), impulse);
+    if (row.b >= 0) add_six(&y[static_cast<std::size_t>(6 * row.b)], load_six(row.gb), impulse);
 }
 
 }  // namespace jostle::physics

@@ -8,7 +8,7 @@
 namespace jostle::physics {
 namespace {
 
-constexpr int max_iterations = 30;  // per round
+constexpr int max_iterations = 40;
 // A solution that rounding keeps from the tolerance is accepted within this factor.
 constexpr double last_resort = 1000;
 // Compliance of a row relative to its response. It bounds the impulses where immovable bodies press
@@ -17,6 +17,10 @@ constexpr double compliance = 1e-12;
 // The same for the change of an impulse in one iteration. It bounds the elements of the matrix, and
 // with them rounding errors, and does not change the solution.
 constexpr double proximal = 1e-12;
+// Products of speed and impulse, with response, relative to the tolerance and to what gravity adds.
+// Contacts that neither press nor part, as those of neighbours in a wall, converge with the root of
+// the products only.
+constexpr double idle = 300;
 // Rounding errors of velocities, with a margin for the elements of the matrix.
 constexpr double rounding = 1e-9;
 // Friction at its limit stays this fraction of half of radius^2 within it, because the distance is
@@ -24,10 +28,18 @@ constexpr double rounding = 1e-9;
 constexpr double least_room = 1e-11;
 // A step leaves this fraction of each impulse and slack, so that none becomes zero.
 constexpr double boundary = 0.01;
-// Relative error of the limit of friction, and how often it is corrected. What remains is corrected
-// in the next pass.
-constexpr double radius_tolerance = 0.01;
-constexpr int max_rounds = 3;
+// Relative error of the limit of friction where it matters, and how often it is corrected. What
+// remains is corrected in the next pass.
+constexpr double radius_tolerance = 1e-4;
+constexpr int max_corrections = 12;
+// The limit does not matter if friction is at most this fraction of it, or if the error changes
+// velocities by less than this fraction of what gravity adds.
+constexpr double holds_below = 0.99, idle_radius = 1e-4;
+// A start near the last impulses has products of at least the square of this fraction of what
+// gravity adds, or of the fastest row.
+constexpr double rough_tolerance = 1e-3;
+// Impulses that miss by less than this fraction of what gravity adds are a good start.
+constexpr double warm_share = 0.3;
 // Friction starts and stays within this fraction of a disc that shrinks.
 constexpr double interior = 0.95;
 
@@ -36,32 +48,46 @@ std::size_t at(int i) {
     return static_cast<std::size_t>(i);
 }
 
-// Adds weight * left^T right to the blocks of the matrix.
-void add_product(SkylineCholesky& matrix, const GroupRow& left, const GroupRow& right,
-                 double weight) {
-    const auto block = [&](int i, int j, const double* gi, const double* gj) {
-        double* out = matrix.block(i, j);
-        for (int r = 0; r < 6; r++) {
-            const double scaled = gi[r] * weight;
-            for (int c = 0; c < 6; c++) out[6 * r + c] += scaled * gj[c];
-        }
-    };
-    block(left.a, left.a, left.ga, right.ga);
-    if (left.b < 0) return;
-    block(left.b, left.b, left.gb, right.gb);
-    if (left.a > left.b)
-        block(left.a, left.b, left.ga, right.gb);
-    else
-        block(left.b, left.a, left.gb, right.ga);
+// A row on two bodies.
+struct SixPair {
+    Six a, b;
+};
+SixPair sides_of(const GroupRow& row) {
+    return {load_six(row.ga), load_six(row.gb)};
+}
+SixPair operator*(const SixPair& v, double s) {
+    return {v.a * s, v.b * s};
+}
+SixPair operator+(const SixPair& u, const SixPair& v) {
+    return {u.a + v.a, u.b + v.b};
 }
 
-// Speed at which a contact closes without impulses, m/s.
-double speed_of(const GroupProblem& problem, const GroupContact& contact, double least) {
-    double speed = least;
-    for (int i = contact.first; i < contact.first + contact.points; i++)
-        speed = maximum(speed, absolute(problem.row(i).offset));
-    return speed;
+// block += left right^T
+void add_product(double* block, Six left, const double* right) {
+    for (int c = 0; c < 6; c++) add_six(block + 6 * c, left, right[c]);
 }
+
+// The blocks of the two bodies of a contact.
+class ContactBlocks {
+public:
+    ContactBlocks(SkylineCholesky& matrix, const GroupRow& row)
+        : aa_(matrix.block(row.a, row.a)), a_is_later_(row.a > row.b) {
+        if (row.b < 0) return;
+        bb_ = matrix.block(row.b, row.b);
+        ab_ = matrix.block(std::max(row.a, row.b), std::min(row.a, row.b));
+    }
+    // left right^T, where the sum of all is symmetric.
+    void add(const SixPair& left, const GroupRow& right) const {
+        add_product(aa_, left.a, right.ga);
+        if (bb_ == nullptr) return;
+        add_product(bb_, left.b, right.gb);
+        add_product(ab_, a_is_later_ ? left.a : left.b, a_is_later_ ? right.gb : right.ga);
+    }
+
+private:
+    double *aa_, *bb_ = nullptr, *ab_ = nullptr;
+    bool a_is_later_;
+};
 
 }  // namespace
 
@@ -80,50 +106,115 @@ double InteriorPoint::room(const GroupProblem& problem, std::size_t disc) const 
     return 0.5 * (radius * radius - square);
 }
 
-// The radii that belong to the normal impulses. Returns whether they hardly change.
-bool InteriorPoint::update_radii(const GroupProblem& problem) {
-    bool same = true;
-    for (const GroupContact& contact : problem.contacts) {
-        double load = 0;
-        for (int i = contact.first; i < contact.first + contact.points; i++)
-            load += problem.row(i).impulse;
-        for (int d = contact.first_disc; d < contact.first_disc + contact.discs; d++) {
-            Disc& disc = discs_[at(d)];
-            const double radius = problem.discs[at(d)].factor * load;
-            same = same && absolute(radius - disc.radius) <= radius_tolerance * radius;
-            disc.radius = radius;
-        }
-    }
-    return same;
+double InteriorPoint::radius_of(const GroupProblem& problem, const GroupContact& contact,
+                                int disc) const {
+    double load = 0;
+    for (int i = contact.first; i < contact.first + contact.points; i++)
+        load += problem.row(i).impulse;
+    return problem.discs[at(disc)].factor * load;
 }
 
-// Impulses and slacks that are positive, and friction that is within its discs.
-void InteriorPoint::start(GroupProblem& problem, double usual_speed, double tolerance) {
+// Impulses and slacks that are positive, and friction that is within its discs, around the current
+// velocities. Products are about the square of the speed at which a contact closes, at least
+// `least`.
+void InteriorPoint::start(GroupProblem& problem, double least, double tolerance) {
     std::fill(change_.begin(), change_.end(), 0.0);  // of discs that are not active
     for (const GroupContact& contact : problem.contacts) {
-        const double speed = speed_of(problem, contact, usual_speed);
+        double speed = least;
+        for (int i = contact.first; i < contact.first + contact.points; i++)
+            speed = maximum(speed, -velocity_[at(i)]);
         for (int i = contact.first; i < contact.first + contact.points; i++) {
             GroupRow& row = problem.row(i);
-            row.impulse = maximum(row.impulse, speed / row.response);
-            slack_[at(i)] = maximum(row.offset, speed);
+            slack_[at(i)] = maximum(velocity_[at(i)], speed);
+            row.impulse = maximum(row.impulse, speed * (speed / slack_[at(i)]) / row.response);
         }
         const GroupRow& normal = problem.row(contact.first);
         for (int d = contact.first_disc; d < contact.first_disc + contact.discs; d++) {
-            const GroupDisc& of = problem.discs[at(d)];
-            Disc& disc = discs_[at(d)];
-            double square = 0;
-            for (int k = 0; k < of.size; k++)
-                square += problem.row(of.first + k).impulse * problem.row(of.first + k).impulse;
-            disc.active = disc.radius * normal.response > 0.01 * tolerance;
-            const double size = square_root(square), most = interior * disc.radius;
-            if (!disc.active || size > most)
-                for (int k = 0; k < of.size; k++)
-                    problem.row(of.first + k).impulse *= disc.active ? most / size : 0;
-            disc.response = normal.response;
-            if (disc.active)
-                disc.slack = normal.impulse * slack_[at(contact.first)] / room(problem, at(d));
+            discs_[at(d)].radius = radius_of(problem, contact, d);
+            discs_[at(d)].response = normal.response;
+            start_disc(problem, at(d), normal.impulse * slack_[at(contact.first)], tolerance);
         }
     }
+}
+
+// The largest speed by which the impulses miss the conditions of the rows.
+double InteriorPoint::worst_miss(const GroupProblem& problem) const {
+    double worst = 0;
+    for (const GroupContact& contact : problem.contacts) {
+        for (int i = contact.first; i < contact.first + contact.points; i++) {
+            const GroupRow& row = problem.row(i);
+            const double v = velocity_[at(i)];
+            worst = maximum(worst, v < 0 ? -v : minimum(v, row.impulse * row.response));
+        }
+        for (int d = contact.first_disc; d < contact.first_disc + contact.discs; d++) {
+            const GroupDisc& of = problem.discs[at(d)];
+            const double radius = radius_of(problem, contact, d);
+            double square = 0, speed = 0;
+            for (int k = 0; k < of.size; k++) {
+                const double f = problem.row(of.first + k).impulse;
+                square += f * f;
+                speed = maximum(speed, absolute(velocity_[at(of.first + k)]));
+            }
+            if (square < interior * interior * radius * radius) worst = maximum(worst, speed);
+        }
+    }
+    return worst;
+}
+
+// Friction within its disc, and the slack for a product of slack and room.
+void InteriorPoint::start_disc(GroupProblem& problem, std::size_t d, double product,
+                               double tolerance) {
+    const GroupDisc& of = problem.discs[d];
+    Disc& disc = discs_[d];
+    double square = 0;
+    for (int k = 0; k < of.size; k++)
+        square += problem.row(of.first + k).impulse * problem.row(of.first + k).impulse;
+    disc.active = disc.radius * disc.response > 0.01 * tolerance;
+    const double size = square_root(square), most = interior * disc.radius;
+    if (!disc.active || size > most)
+        for (int k = 0; k < of.size; k++)
+            problem.row(of.first + k).impulse *= disc.active ? most / size : 0;
+    if (disc.active) disc.slack = product / room(problem, d);
+}
+
+bool InteriorPoint::has_right_radius(const GroupProblem& problem, const GroupContact& contact,
+                                     int d) const {
+    const GroupDisc& of = problem.discs[at(d)];
+    const Disc& disc = discs_[at(d)];
+    const double radius = radius_of(problem, contact, d);
+    double square = 0;
+    for (int k = 0; k < of.size; k++)
+        square += problem.row(of.first + k).impulse * problem.row(of.first + k).impulse;
+    const double most = holds_below * minimum(radius, disc.radius);
+    if (disc.active && square < most * most) return true;
+    return absolute(radius - disc.radius) <=
+           maximum(radius_tolerance * radius, idle_radius * usual_speed_ / disc.response);
+}
+
+// Sets the radii that belong to the normal impulses. Friction keeps its ratio to them, and products
+// hardly change. Returns false if the radii were right.
+bool InteriorPoint::correct_radii(GroupProblem& problem, double tolerance) {
+    bool right = true;
+    for (const GroupContact& contact : problem.contacts)
+        for (int d = contact.first_disc; d < contact.first_disc + contact.discs; d++)
+            right = right && has_right_radius(problem, contact, d);
+    if (right) return false;
+    const double mean = mean_product(problem);
+    for (const GroupContact& contact : problem.contacts)
+        for (int d = contact.first_disc; d < contact.first_disc + contact.discs; d++) {
+            const GroupDisc& of = problem.discs[at(d)];
+            Disc& disc = discs_[at(d)];
+            const double before = disc.radius;
+            disc.radius = radius_of(problem, contact, d);
+            if (!disc.active || !(disc.radius * disc.response > 0.01 * tolerance)) {
+                start_disc(problem, at(d), mean / disc.response, tolerance);
+                continue;
+            }
+            const double ratio = disc.radius / before;
+            for (int k = 0; k < of.size; k++) problem.row(of.first + k).impulse *= ratio;
+            disc.slack /= ratio;
+        }
+    return true;
 }
 
 void InteriorPoint::begin(const GroupProblem& problem, std::span<const double> y) {
@@ -162,10 +253,11 @@ double InteriorPoint::mean_product(const GroupProblem& problem) const {
 void InteriorPoint::factor(const GroupProblem& problem, SkylineCholesky& matrix) {
     matrix.set_identity();
     for (const GroupContact& contact : problem.contacts) {
+        const ContactBlocks blocks(matrix, problem.row(contact.first));
         for (int i = contact.first; i < contact.first + contact.points; i++) {
             const GroupRow& row = problem.row(i);
             weight_[at(i)] = 1 / (slack_[at(i)] / row.impulse + proximal * row.response);
-            add_product(matrix, row, row, weight_[at(i)]);
+            blocks.add(sides_of(row) * weight_[at(i)], row);
         }
         for (int d = contact.first_disc; d < contact.first_disc + contact.discs; d++) {
             const GroupDisc& of = problem.discs[at(d)];
@@ -176,7 +268,7 @@ void InteriorPoint::factor(const GroupProblem& problem, SkylineCholesky& matrix)
             const double k00 = disc.slack + over * f0 * f0 + proximal * row0.response;
             if (of.size == 1) {
                 disc.inverse[0] = 1 / k00;
-                add_product(matrix, row0, row0, disc.inverse[0]);
+                blocks.add(sides_of(row0) * disc.inverse[0], row0);
                 continue;
             }
             const GroupRow& row1 = problem.row(of.first + 1);
@@ -186,10 +278,9 @@ void InteriorPoint::factor(const GroupProblem& problem, SkylineCholesky& matrix)
             disc.inverse[0] = k11 / det;
             disc.inverse[1] = -k01 / det;
             disc.inverse[2] = k00 / det;
-            add_product(matrix, row0, row0, disc.inverse[0]);
-            add_product(matrix, row0, row1, disc.inverse[1]);
-            add_product(matrix, row1, row0, disc.inverse[1]);
-            add_product(matrix, row1, row1, disc.inverse[2]);
+            const SixPair side0 = sides_of(row0), side1 = sides_of(row1);
+            blocks.add(side0 * disc.inverse[0] + side1 * disc.inverse[1], row0);
+            blocks.add(side0 * disc.inverse[1] + side1 * disc.inverse[2], row1);
         }
     }
     matrix.factor();
@@ -324,11 +415,12 @@ void InteriorPoint::take(GroupProblem& problem, std::span<double> y, double frac
 // limit.
 bool InteriorPoint::is_solved(const GroupProblem& problem, const GroupContact& contact,
                               double tolerance) const {
+    const double gap = idle * tolerance * usual_speed_;
     for (int i = contact.first; i < contact.first + contact.points; i++) {
         const GroupRow& row = problem.row(i);
         const double allowed = tolerance + 2 * compliance * row.response * row.impulse;
         if (velocity_[at(i)] < -allowed) return false;
-        if (velocity_[at(i)] > allowed && row.impulse * row.response > tolerance) return false;
+        if (velocity_[at(i)] * row.impulse * row.response > gap) return false;
     }
     for (int d = contact.first_disc; d < contact.first_disc + contact.discs; d++) {
         const GroupDisc& of = problem.discs[at(d)];
@@ -345,8 +437,8 @@ bool InteriorPoint::is_solved(const GroupProblem& problem, const GroupContact& c
             opposes = opposes && absolute(u + disc.slack * row.impulse) <= allowed;
             response = maximum(response, row.response);
         }
-        const bool at_limit = room(problem, at(d)) * response <= tolerance * disc.radius;
-        if (!holds && !(opposes && at_limit)) return false;
+        if (!holds && !(opposes && disc.slack * room(problem, at(d)) * response <= gap))
+            return false;
     }
     return true;
 }
@@ -386,12 +478,18 @@ void InteriorPoint::drop_idle_impulses(GroupProblem& problem) const {
     }
 }
 
-// With constant radii the problem is convex.
-bool InteriorPoint::solve_convex(GroupProblem& problem, SkylineCholesky& matrix,
-                                 std::span<double> y, double tolerance) {
-    for (int n = 0; n < max_iterations; n++, iterations_++) {
+// With constant radii the problem is convex. They are corrected as soon as the solution is
+// roughly known.
+bool InteriorPoint::iterate(GroupProblem& problem, SkylineCholesky& matrix, std::span<double> y,
+                            double tolerance) {
+    int corrections = 0;
+    for (iterations_ = 0; iterations_ < max_iterations; iterations_++) {
         find_residual(problem, y);
-        if (n > 0 && is_solved(problem, tolerance)) return true;
+        if (iterations_ > 0 && corrections < max_corrections && correct_radii(problem, tolerance)) {
+            corrections++;
+            find_residual(problem, y);
+        }
+        if (iterations_ > 0 && is_solved(problem, tolerance)) return true;
         factor(problem, matrix);
         const double mean = mean_product(problem);
         find_changes(problem, matrix, y, 0, false);
@@ -438,7 +536,7 @@ bool InteriorPoint::solve(GroupProblem& problem, SkylineCholesky& matrix, std::s
                           double tolerance) {
     ASSERT(y.size() == at(6 * problem.bodies));
     begin(problem, y);
-    const double usual_speed = tolerance / relative_tolerance;
+    usual_speed_ = tolerance / relative_tolerance;
     double fastest = 0;
     for (const GroupRow& row : problem.rows) fastest = maximum(fastest, absolute(row.offset));
     tolerance = maximum(tolerance, rounding * fastest);
@@ -452,16 +550,21 @@ bool InteriorPoint::solve(GroupProblem& problem, SkylineCholesky& matrix, std::s
             problem.row(i).impulse =
                 fastest * maximum(1 / problem.row(i).response, contact.load / contact.points);
     }
+    const double rough = maximum(tolerance, rough_tolerance * maximum(usual_speed_, fastest));
+    // Near the velocities of the last impulses, if they are nearly right.
     std::fill(y.begin(), y.end(), 0.0);
-    iterations_ = 0;
-    update_radii(problem);
-    for (int round = 0; round < max_rounds; round++) {
-        start(problem, usual_speed, tolerance);
-        if (!solve_convex(problem, matrix, y, tolerance)) return false;
-        drop_idle_impulses(problem);
-        if (round + 1 < max_rounds && update_radii(problem)) break;
+    for (const GroupRow& row : problem.rows) add_impulse(row, row.impulse, y);
+    find_residual(problem, y);
+    double least = maximum(worst_miss(problem), rough);
+    if (least > warm_share * usual_speed_) {
+        std::fill(y.begin(), y.end(), 0.0);
+        find_residual(problem, y);
+        least = usual_speed_;
     }
-    return true;
+    start(problem, least, tolerance);
+    const bool solved = iterate(problem, matrix, y, tolerance);
+    if (solved) drop_idle_impulses(problem);
+    return solved;
 }
 
 }  // namespace jostle::physics

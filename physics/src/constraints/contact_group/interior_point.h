@@ -6,11 +6,12 @@
 // which is what sweeps, active sets and augmented Lagrangians lack. Each iteration factors
 //     I + G^T W G,
 // which has one block row per body. Predictor and corrector are those of Mehrotra (1992). With
-// constant discs of friction the problem is convex; their radii then follow the normal impulses in
-// a few rounds, as a fixed point (Haslinger, 1983).
+// constant discs of friction the problem is convex; their radii follow the normal impulses in a few
+// corrections on the way, as a fixed point (Haslinger, 1983).
 #pragma once
 
 #include <array>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -45,10 +46,14 @@ private:
     };
 
     void begin(const GroupProblem& problem, std::span<const double> y);
-    bool update_radii(const GroupProblem& problem);
-    void start(GroupProblem& problem, double usual_speed, double tolerance);
-    bool solve_convex(GroupProblem& problem, SkylineCholesky& matrix, std::span<double> y,
-                      double tolerance);
+    double radius_of(const GroupProblem& problem, const GroupContact& contact, int disc) const;
+    bool has_right_radius(const GroupProblem& problem, const GroupContact& contact, int d) const;
+    bool correct_radii(GroupProblem& problem, double tolerance);
+    void start(GroupProblem& problem, double least, double tolerance);
+    double worst_miss(const GroupProblem& problem) const;
+    void start_disc(GroupProblem& problem, std::size_t d, double product, double tolerance);
+    bool iterate(GroupProblem& problem, SkylineCholesky& matrix, std::span<double> y,
+                 double tolerance);
     double room(const GroupProblem& problem, std::size_t disc) const;
     double least_product(std::size_t disc) const;
     double mean_product(const GroupProblem& problem) const;
@@ -64,6 +69,7 @@ private:
     void drop_idle_impulses(GroupProblem& problem) const;
 
     int iterations_ = 0;
+    double usual_speed_ = 0;                              // m/s, what gravity adds to velocities
     std::vector<double> slack_, weight_, velocity_;       // by row
     std::vector<double> change_, change_of_slack_;        // by row, of impulses and slacks
     std::vector<double> product_shift_, velocity_shift_;  // by row, second-order terms

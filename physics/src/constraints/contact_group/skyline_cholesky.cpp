@@ -5,6 +5,7 @@
 
 #include "jostle/base/check.h"
 #include "jostle/physics/scalar.h"
+#include "physics/src/constraints/contact_group/six.h"
 
 namespace jostle::physics {
 namespace {
@@ -13,34 +14,35 @@ constexpr int n = SkylineCholesky::size, area = n * n;
 
 // c -= a b^T
 void subtract_product(double* c, const double* a, const double* b) {
-    for (int i = 0; i < n; i++)
-        for (int j = 0; j < n; j++) {
-            double sum = 0;
-            for (int k = 0; k < n; k++) sum += a[n * i + k] * b[n * j + k];
-            c[n * i + j] -= sum;
-        }
+    Six columns[n];
+    for (int k = 0; k < n; k++) columns[k] = load_six(a + n * k);
+    for (int j = 0; j < n; j++) {
+        Six sum = load_six(c + n * j);
+        for (int k = 0; k < n; k++) sum = sum - columns[k] * b[n * k + j];
+        store_six(c + n * j, sum);
+    }
 }
 
 // c = c L^-T with the lower triangle L of `diagonal`.
-void divide_by_transpose(double* c, const double* diagonal) {
-    for (int i = 0; i < n; i++)
-        for (int j = 0; j < n; j++) {
-            double sum = c[n * i + j];
-            for (int k = 0; k < j; k++) sum -= c[n * i + k] * diagonal[n * j + k];
-            c[n * i + j] = sum / diagonal[n * j + j];
-        }
+void divide_by_transpose(double* c, const double* diagonal, const double* inverse) {
+    Six columns[n];
+    for (int j = 0; j < n; j++) {
+        Six sum = load_six(c + n * j);
+        for (int k = 0; k < j; k++) sum = sum - columns[k] * diagonal[n * k + j];
+        columns[j] = sum * inverse[j];
+        store_six(c + n * j, columns[j]);
+    }
 }
 
-void factor_diagonal(double* a) {
+void factor_diagonal(double* a, double* inverse) {
     for (int j = 0; j < n; j++) {
-        double pivot = a[n * j + j];
-        for (int k = 0; k < j; k++) pivot -= a[n * j + k] * a[n * j + k];
-        const double root = square_root(maximum(pivot, 1));
-        a[n * j + j] = root;
-        for (int i = j + 1; i < n; i++) {
-            double sum = a[n * i + j];
-            for (int k = 0; k < j; k++) sum -= a[n * i + k] * a[n * j + k];
-            a[n * i + j] = sum / root;
+        double* own = a + n * j;
+        inverse[j] = 1 / square_root(maximum(own[j], 1));
+        const Six column = load_six(own) * inverse[j];
+        store_six(own, column);
+        for (int k = j + 1; k < n; k++) {
+            double* later = a + n * k;
+            store_six(later, load_six(later) - column * own[k]);
         }
     }
 }
@@ -57,22 +59,18 @@ void SkylineCholesky::set_pattern(std::span<const int> first) {
         all += (i - static_cast<std::size_t>(first[i]) + 1) * area;
     }
     begin_[first.size()] = all;
+    products_ = 0;
+    for (std::size_t i = 0; i < first.size(); i++)
+        for (int j = first[i]; j <= static_cast<int>(i); j++)
+            products_ += j - std::max(first[i], first[static_cast<std::size_t>(j)]) + 1;
     values_.resize(all);
+    inverse_.resize(n * first.size());
 }
 
 void SkylineCholesky::set_identity() {
     std::fill(values_.begin(), values_.end(), 0.0);
     for (int i = 0; i < static_cast<int>(first_.size()); i++)
         for (int k = 0; k < n; k++) block(i, i)[(n + 1) * k] = 1;
-}
-
-double* SkylineCholesky::block(int i, int j) {
-    const auto row = static_cast<std::size_t>(i);
-    ASSERT(row < first_.size() && first_[row] <= j && j <= i);
-    return values_.data() + begin_[row] + static_cast<std::size_t>(j - first_[row]) * area;
-}
-const double* SkylineCholesky::block(int i, int j) const {
-    return const_cast<SkylineCholesky*>(this)->block(i, j);
 }
 
 void SkylineCholesky::factor() {
@@ -82,10 +80,11 @@ void SkylineCholesky::factor() {
             double* at = block(i, j);
             const int from = std::max(first, first_[static_cast<std::size_t>(j)]);
             for (int k = from; k < j; k++) subtract_product(at, block(i, k), block(j, k));
+            double* inverse = &inverse_[static_cast<std::size_t>(n * j)];
             if (j < i)
-                divide_by_transpose(at, block(j, j));
+                divide_by_transpose(at, block(j, j), inverse);
             else
-                factor_diagonal(at);
+                factor_diagonal(at, inverse);
         }
     }
 }
@@ -94,30 +93,34 @@ void SkylineCholesky::solve(std::span<double> x) const {
     const int rows = static_cast<int>(first_.size());
     ASSERT(x.size() == first_.size() * n);
     for (int i = 0; i < rows; i++) {
-        double* own = &x[static_cast<std::size_t>(n * i)];
+        const auto at = static_cast<std::size_t>(n * i);
+        Six own = load_six(&x[at]);
         for (int k = first_[static_cast<std::size_t>(i)]; k < i; k++) {
             const double *l = block(i, k), *other = &x[static_cast<std::size_t>(n * k)];
-            for (int r = 0; r < n; r++)
-                for (int c = 0; c < n; c++) own[r] -= l[n * r + c] * other[c];
+            for (int c = 0; c < n; c++) own = own - load_six(l + n * c) * other[c];
         }
         const double* l = block(i, i);
-        for (int r = 0; r < n; r++) {
-            for (int c = 0; c < r; c++) own[r] -= l[n * r + c] * own[c];
-            own[r] /= l[(n + 1) * r];
+        double value[n];
+        store_six(value, own);
+        for (int c = 0; c < n; c++) {
+            value[c] *= inverse_[at + static_cast<std::size_t>(c)];
+            for (int r = c + 1; r < n; r++) value[r] -= l[n * c + r] * value[c];
         }
+        std::copy(value, value + n, &x[at]);
     }
     for (int i = rows - 1; i >= 0; i--) {
-        double* own = &x[static_cast<std::size_t>(n * i)];
+        const auto at = static_cast<std::size_t>(n * i);
+        double* value = &x[at];
         const double* l = block(i, i);
         for (int r = n - 1; r >= 0; r--) {
-            for (int c = r + 1; c < n; c++) own[r] -= l[n * c + r] * own[c];
-            own[r] /= l[(n + 1) * r];
+            for (int c = r + 1; c < n; c++) value[r] -= l[n * r + c] * value[c];
+            value[r] *= inverse_[at + static_cast<std::size_t>(r)];
         }
+        const Six own = load_six(value);
         for (int k = first_[static_cast<std::size_t>(i)]; k < i; k++) {
             const double* up = block(i, k);
             double* other = &x[static_cast<std::size_t>(n * k)];
-            for (int c = 0; c < n; c++)
-                for (int r = 0; r < n; r++) other[c] -= up[n * r + c] * own[r];
+            for (int c = 0; c < n; c++) other[c] -= dot6(load_six(up + n * c), own);
         }
     }
 }

@@ -7,8 +7,11 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <span>
 #include <vector>
+
+#include "jostle/base/check.h"
 
 namespace jostle::physics {
 
@@ -18,10 +21,12 @@ public:
 
     // Sets the pattern. first[i] <= i: the first block of block row i.
     void set_pattern(std::span<const int> first);
+    // Products of two blocks in a factorization.
+    std::int64_t products() const { return products_; }
     void set_identity();
-    // The block (i, j), first[i] <= j <= i, row by row. Of the diagonal blocks only the lower
+    // The block (i, j), first[i] <= j <= i, column by column. Of the diagonal blocks only the lower
     // triangle is read.
-    double* block(int i, int j);
+    double* block(int i, int j) { return values_.data() + offset(i, j); }
 
     // No pivot is smaller than 1, as in exact arithmetic: rounding may lose the identity beside
     // large elements.
@@ -30,11 +35,18 @@ public:
     void solve(std::span<double> x) const;
 
 private:
-    const double* block(int i, int j) const;
+    std::size_t offset(int i, int j) const {
+        const auto row = static_cast<std::size_t>(i);
+        ASSERT(row < first_.size() && first_[row] <= j && j <= i);
+        return begin_[row] + static_cast<std::size_t>(j - first_[row]) * (size * size);
+    }
+    const double* block(int i, int j) const { return values_.data() + offset(i, j); }
 
+    std::int64_t products_ = 0;
     std::vector<int> first_;
     std::vector<std::size_t> begin_;  // of block rows in values_
     std::vector<double> values_;
+    std::vector<double> inverse_;  // of the elements on the diagonal of the factor
 };
 
 }  // namespace jostle::physics

@@ -97,13 +97,22 @@ bool may_be_solved_directly(const ContactGraph& stores, std::span<const std::uin
     std::uint32_t bodies = 0, manifolds = 0;
     for (const std::uint32_t island : islands) bodies += stores.islands.islands[island].bodies;
     if (stores.def.planar || bodies > tuning::max_group_bodies) return false;
-    bool only_contacts = true;
+    const Vec3 up = -normalized(stores.def.gravity);
+    bool suits = true;
     for_each_body(stores, islands, [&](std::uint32_t body) {
         const BodyCold& cold = stores.bodies.cold[body];
-        only_contacts = only_contacts && cold.first_joint == none && !cold.asleep_in_place;
+        suits = suits && cold.first_joint == none && !cold.asleep_in_place;
         manifolds += cold.constraints;  // those of two dynamic bodies twice
     });
-    return only_contacts && manifolds <= tuning::max_group_manifolds;
+    if (!suits || manifolds > tuning::max_group_manifolds) return false;
+    for_each_body(stores, islands, [&](std::uint32_t body) {
+        for_each_manifold(stores.contacts, stores.bodies.cold[body], [&](std::uint32_t index) {
+            const Contact& c = stores.contacts.contacts[index];
+            const double rise = dot(normal_of(lane_ref_of(stores.graph, c)), up);
+            suits = suits && (!c.touching || absolute(rise) >= tuning::lies_on);
+        });
+    });
+    return suits;
 }
 
 bool mostly_stand(const ContactGraph& stores, std::span<const std::uint32_t> islands) {
@@ -170,6 +179,17 @@ void leave_direct_tier(ContactGraph& stores, JointStore& joints) {
         const std::vector<std::uint32_t> coupled = coupled_islands(stores, stores.contacts, island);
         if (!may_be_solved_directly(stores, coupled) || !mostly_stand(stores, coupled))
             move_to_set(stores, joints, coupled, {SolverTier::heavy, set.batch});
+    }
+}
+
+void leave_direct_tier(ContactGraph& stores, JointStore& joints,
+                       std::span<const std::uint32_t> bodies) {
+    for (const std::uint32_t body : bodies) {
+        const std::uint32_t island = stores.bodies.cold[body].island;
+        const ColourSetKey set = stores.islands.islands[island].colour_set;
+        if (set.tier == SolverTier::direct)
+            move_to_set(stores, joints, coupled_islands(stores, stores.contacts, island),
+                        {SolverTier::heavy, set.batch});
     }
 }
 

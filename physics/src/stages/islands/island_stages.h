@@ -62,8 +62,9 @@ bool has_heavy_load(ContactGraph& stores, const Island& island, Vec3 up);
 // them yet or not.
 double largest_load_ratio(ContactGraph& stores, std::span<const std::uint32_t> islands, Vec3 up);
 
-// Returns whether the islands are small enough for SolverTier::direct, without joints and without
-// bodies that sleep in place.
+// Returns whether the islands are small enough for SolverTier::direct, without joints, without
+// bodies that sleep in place and without bodies that touch side by side: friction with what lies on
+// them can hold any pressure between those, so that a direct solver may find ever larger impulses.
 bool may_be_solved_directly(const ContactGraph& stores, std::span<const std::uint32_t> islands);
 
 // Returns whether at most a quarter of the bodies move relative to the others, none fast. In a
@@ -82,5 +83,8 @@ void raise_to_direct_tier(ContactGraph& stores, JointStore& joints,
                           std::span<const std::uint32_t> bodies);
 // Moves islands that have become too large for SolverTier::direct, or tumble, to SolverTier::heavy.
 void leave_direct_tier(ContactGraph& stores, JointStore& joints);
+// The same for the islands of these bodies, for which no solution was found.
+void leave_direct_tier(ContactGraph& stores, JointStore& joints,
+                       std::span<const std::uint32_t> bodies);
 
 }  // namespace jostle::physics

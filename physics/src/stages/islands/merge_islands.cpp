@@ -114,6 +114,7 @@ Skipped merge_islands(StepContext& step) {
     }
     ASSERT(touching <= manifolds);
     raise_to_heavy_tier(world, world.joints, heavy);
+    leave_direct_tier(world, world.joints, step.scratch.solver.unsolved);
     report_composites(world);
     world.profile.manifolds = manifolds;
     world.profile.touching = touching;

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "jostle/base/check.h"
+#include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/step_scratch.h"
 #include "physics/src/state/contact_constraints.h"
 
@@ -66,24 +67,90 @@ int find_components(WorldState& world, std::vector<Member>& members,
     return count;
 }
 
-void set_group(StepContext& step, std::span<const Member> members, const std::vector<int>& place,
-               ContactGroup& group) {
+// The bodies of a component by height, which manifolds connect.
+struct Component {
+    std::span<const Member> members;
+    const std::vector<int>& place;  // by hot index, the body's index in `members`
+};
+
+// The members such that those that touch are close to each other: reverse Cuthill-McKee (1969),
+// from a member that is far from the lowest one.
+std::vector<int> find_order(WorldState& world, const Component& component) {
+    const std::size_t count = component.members.size();
+    std::vector<std::vector<int>> neighbours(count);
+    for (std::size_t own = 0; own < count; own++)
+        for_each_lane(world, component.members[own].hot,
+                      [&](const Contact& c, const ContactLaneRef& at) {
+                          if (pair_kind_of(c.colour) != PairKind::dynamic) return;
+                          const std::size_t a = first_body(at), b = second_body(at);
+                          const std::size_t other = a == component.members[own].hot ? b : a;
+                          neighbours[own].push_back(component.place[other]);
+                      });
+    for (std::vector<int>& of : neighbours) std::sort(of.begin(), of.end());
+    const auto degree = [&](int member) {
+        return neighbours[static_cast<std::size_t>(member)].size();
+    };
+    std::vector<int> order;
+    int start = 0;
+    for (int pass = 0; pass < 3; pass++) {
+        std::vector<bool> reached(count, false);
+        order.assign(1, start);
+        reached[static_cast<std::size_t>(start)] = true;
+        for (std::size_t next = 0; next < order.size(); next++) {
+            const std::size_t first = order.size();
+            for (const int other : neighbours[static_cast<std::size_t>(order[next])]) {
+                if (reached[static_cast<std::size_t>(other)]) continue;
+                reached[static_cast<std::size_t>(other)] = true;
+                order.push_back(other);
+            }
+            std::stable_sort(order.begin() + static_cast<std::ptrdiff_t>(first), order.end(),
+                             [&](int x, int y) { return degree(x) < degree(y); });
+        }
+        start = order.back();
+    }
+    ASSERT(order.size() == count);
+    std::reverse(order.begin(), order.end());
+    return order;
+}
+
+// What a group may take of a step. Depends neither on the other groups of its task nor on threads.
+std::int64_t max_work_of(const StepContext& step, std::size_t bodies) {
+    const std::int64_t share = tuning::max_direct_step_work * static_cast<std::int64_t>(bodies) /
+                               step.world.profile.bodies_direct;
+    return std::min(share, tuning::max_group_work);
+}
+
+void set_group(StepContext& step, const Component& component, ContactGroup& group) {
     SolverBodies& records = step.scratch.solver.hot;
+    const std::vector<int> order = find_order(step.world, component);
+    std::vector<int> position(order.size());
     std::vector<SolverBody*> bodies;
+    for (std::size_t k = 0; k < order.size(); k++) {
+        position[static_cast<std::size_t>(order[k])] = static_cast<int>(k);
+        bodies.push_back(&records[component.members[static_cast<std::size_t>(order[k])].hot]);
+    }
+    // In a stack the load of a contact is all that is higher than its lower body.
+    std::vector<double> load(order.size() + 1, 0);
+    for (std::size_t k = order.size(); k-- > 0;)
+        load[k] = load[k + 1] + 1 / double{records[component.members[k].hot].inverse_mass};
     std::vector<ManifoldOfGroup> manifolds;
-    for (const Member& own : members) {
-        bodies.push_back(&records[own.hot]);
-        for_each_lane(step.world, own.hot, [&](const Contact& c, const ContactLaneRef& at) {
-            if (first_body(at) != own.hot) return;  // seen from the other body
-            ManifoldOfGroup manifold{at, place[own.hot]};
+    for (std::size_t own = 0; own < component.members.size(); own++) {
+        const std::uint32_t hot = component.members[own].hot;
+        for_each_lane(step.world, hot, [&](const Contact& c, const ContactLaneRef& at) {
+            if (first_body(at) != hot) return;  // seen from the other body
+            ManifoldOfGroup manifold{.lane_ref = at, .a = position[own], .load = load[own]};
             const PairKind kind = pair_kind_of(c.colour);
-            if (kind == PairKind::dynamic) manifold.b = place[second_body(at)];
+            if (kind == PairKind::dynamic) {
+                const auto other = static_cast<std::size_t>(component.place[second_body(at)]);
+                manifold.b = position[other];
+                manifold.load = load[std::min(own, other) + 1];
+            }
             if (kind == PairKind::kinematic) manifold.mover = &records[second_body(at)];
             ASSERT(manifold.a >= 0 && manifold.a != manifold.b);
             manifolds.push_back(manifold);
         });
     }
-    group.set(std::move(bodies), std::move(manifolds));
+    group.set(std::move(bodies), std::move(manifolds), max_work_of(step, component.members.size()));
 }
 
 }  // namespace
@@ -98,13 +165,14 @@ void find_contact_groups(StepContext& step, const SolverTask& task, ContactGroup
         members.push_back({hot, -1, dot(up, world.bodies.awake[hot - 1].center)});
     }
     const auto count = static_cast<std::size_t>(find_components(world, members, place));
-    // From the lowest to the highest: bodies that touch are close to each other in this order.
+    // From the lowest to the highest.
     std::sort(members.begin(), members.end(), [](const Member& a, const Member& b) {
         if (a.component != b.component) return a.component < b.component;
         return a.height != b.height ? a.height < b.height : a.hot < b.hot;
     });
     if (groups.all.size() < count) groups.all.resize(count);
     groups.used = count;
+    groups.lowest.resize(count);
     groups.passes = groups.unsolved = 0;
     std::size_t begin = 0;
     for (std::size_t k = 0; k < count; k++) {
@@ -114,7 +182,8 @@ void find_contact_groups(StepContext& step, const SolverTask& task, ContactGroup
             end++;
         }
         ASSERT(end > begin);
-        set_group(step, std::span(members).subspan(begin, end - begin), place, groups.all[k]);
+        groups.lowest[k] = members[begin].hot;
+        set_group(step, {std::span(members).subspan(begin, end - begin), place}, groups.all[k]);
         begin = end;
     }
 }

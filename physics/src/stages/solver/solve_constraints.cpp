@@ -25,11 +25,17 @@ void resize_records(const BodyStore& bodies, SolverScratch& scratch) {
         if (bodies.cold[bodies.awake[i].body].asleep_in_place) scratch.hot[i + 1] = {};
 }
 
-void count_direct_passes(const std::vector<SolverTask>& tasks, const SolverScratch& scratch,
-                         StepProfile& profile) {
+void count_direct_passes(const std::vector<SolverTask>& tasks, WorldState& world,
+                         SolverScratch& scratch) {
+    StepProfile& profile = world.profile;
     for (const SolverTask& task : tasks) {
         if (task.tier != SolverTier::direct) continue;
         const ContactGroups& groups = scratch.contact_groups[task.first];
+        for (std::size_t k = 0; k < groups.used; k++) {
+            profile.direct_work += groups.all[k].work();
+            if (groups.all[k].missed())
+                scratch.unsolved.push_back(world.bodies.awake[groups.lowest[k] - 1].body);
+        }
         profile.direct_passes += groups.passes;
         profile.direct_passes_unsolved += groups.unsolved;
     }
@@ -41,6 +47,7 @@ Skipped solve_constraints(StepContext& step) {
     const BodyStore& bodies = step.world.bodies;
     if (bodies.awake.empty()) return no_awake_bodies;
     SolverScratch& scratch = step.scratch.solver;
+    scratch.unsolved.clear();
     find_joint_groups(step);
     gather_bodies(step);
     count_solver_work(step);
@@ -54,7 +61,7 @@ Skipped solve_constraints(StepContext& step) {
         scratch.limited_groups.resize(step.world.joints.joints.size());
         const std::vector<SolverTask> tasks = make_tasks(step);
         run_tasks(step, tasks);
-        count_direct_passes(tasks, scratch, step.world.profile);
+        count_direct_passes(tasks, step.world, scratch);
     }
     solve_joint_groups(step);
     break_joints(step);

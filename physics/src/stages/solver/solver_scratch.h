@@ -67,6 +67,7 @@ struct ErrorTrial {
 // The contact groups of a task of SolverTier::direct. They keep their memory from step to step.
 struct ContactGroups {
     std::vector<ContactGroup> all;
+    std::vector<std::uint32_t> lowest;  // by group, the hot index of its lowest body
     std::size_t used = 0;
     int passes = 0, unsolved = 0;  // unsolved: passes in which a group missed its tolerance
 
@@ -97,6 +98,7 @@ struct SolverScratch {
     std::array<std::vector<std::uint32_t>, solved_set_count> in_fields;  // hot indices
     std::array<ErrorTrial, solved_set_count> trials;
     std::array<ContactGroups, solved_set_count> contact_groups;  // of tasks of SolverTier::direct
+    std::vector<std::uint32_t> unsolved;  // a body of each group without a solution
     JointGroupScratch groups;
     std::vector<SpinAxes> spin_axes;         // indexed by hot index
     std::vector<GyroscopicBody> gyroscopic;  // by hot index; valid if spin_axes is not world

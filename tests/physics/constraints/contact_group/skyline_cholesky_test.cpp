@@ -40,7 +40,7 @@ Example make(const std::vector<int>& first, const std::vector<std::pair<int, int
                         for (std::size_t c = 0; c < n; c++) {
                             const double value = g[a][r] * g[b][c];
                             if (at[a] >= at[b])
-                                example.matrix.block(at[a], at[b])[n * r + c] += value;
+                                example.matrix.block(at[a], at[b])[n * c + r] += value;
                             example.whole[(n * static_cast<std::size_t>(at[a]) + r) * example.size +
                                           n * static_cast<std::size_t>(at[b]) + c] += value;
                         }

@@ -8,6 +8,13 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <cstdint>
+#include <vector>
+
+#include "tests/support/near.h"
+#include "tests/support/random.h"
 #include "tests/support/world_builder.h"
 
 namespace jostle::test {
@@ -98,6 +105,44 @@ TEST(HeavyLoad, islands_that_become_too_large_leave_the_direct_tier) {
     must(world.step(1.0 / 60));
     EXPECT_EQ(world.profile().bodies_direct, 0);
     EXPECT_GT(world.profile().bodies_heavy, 64);
+}
+
+// Friction below a heavy box can hold any pressure between light ones side by side.
+TEST(HeavyLoad, walls_are_not_solved_directly) {
+    for (const std::uint64_t seed : {1u, 2u, 3u}) {
+        World world = make_world({.sleeping = false});
+        add_floor(world);
+        Random random(seed);
+        std::vector<BodyId> boxes;
+        const auto place_of = [](int k) { return Vec3{k % 8 + 0.5 * (k / 8 % 2), 0.5 + k / 8, 0}; };
+        for (int k = 0; k < 14; k++)
+            boxes.push_back(
+                add(world, {.position = place_of(k), .density = std::pow(1000, random.in(0, 1))}));
+        run(world, 3);
+        EXPECT_EQ(world.profile().bodies_direct, 0) << seed;
+        for (int k = 0; k < 14; k++)
+            EXPECT_LT(length(position_of(world, boxes[static_cast<std::size_t>(k)]) - place_of(k)),
+                      1e-3)
+                << "seed " << seed << ", box " << k;
+    }
+}
+
+// Thirty boxes of 1 to 1000 to 1 kg: the first steps have to find the impulses.
+TEST(HeavyLoad, work_of_the_direct_solver_is_limited) {
+    World world = make_world({.sleeping = false});
+    add_floor(world);
+    for (int k = 0; k < 30; k++)
+        add(world, {.position = {0, 0.5 + k, 0},
+                    .density = std::pow(1000, 1 - std::abs(k - 14.5) / 14.5)});
+    std::int64_t first = 0, last = 0;
+    for (int k = 0; k < 60; k++) {
+        must(world.step(1.0 / 60));
+        last = world.profile().direct_work;
+        first = std::max(first, last);
+    }
+    EXPECT_EQ(world.profile().bodies_direct, 30);
+    EXPECT_LT(first, 120'000) << "about 6 ms";
+    EXPECT_LT(last, 8'000) << "at rest";
 }
 
 TEST(HeavyLoad, bodies_with_joints_are_not_solved_directly) {

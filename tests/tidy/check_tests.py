@@ -39,6 +39,10 @@ COVERED_BY = {
          "which boxes a sweep may leave out: every kind against a search triangle by triangle"),
     "constraint_graph/wide_rows.h":
         (["physics/constraint_graph/contact_constraint_wide_test.cpp"], "two lines: a vector into a lane and out of it"),
+    "constraints/contact_group/group_problem.h":
+        (["physics/constraints/contact_group/interior_point_test.cpp"], "the rows of all its problems, with closed forms"),
+    "constraints/contact_group/six.h":
+        (["physics/constraints/contact_group/skyline_cholesky_test.cpp"], "every operation, in the residuals of chains and rings"),
     "constraints/body_kernel.h":
         (["physics/constraints/kernels_test.cpp"], "one body accelerated and advanced by every instruction set"),
     "constraints/contact_kernel.h":
@@ -189,6 +193,8 @@ COVERED_BY = {
     "stages/sleep/wake_bodies.cpp":
         (["behaviour/sleeping_test.cpp", "behaviour/partial_sleep_test.cpp", "behaviour/continuous_test.cpp"],
          "who is disturbed, and who is hit by a bullet; the rules are state/wake's"),
+    "stages/solver/contact_groups.cpp":
+        (["physics/stages/islands/heavy_load_test.cpp", "behaviour/stacks_test.cpp"], "stacks of any mass ratio that must not move; the limit of the work"),
     "stages/solver/solver_velocities.cpp":
         (["behaviour/listeners_test.cpp", "behaviour/force_fields_test.cpp"], "jointed and floating bodies in the middle of the solve"),
     "stages/solver/solve_constraints.cpp":

@@ -13,7 +13,7 @@ using namespace physics;
 
 TEST(SolverTier, eight_substeps_yield_four_to_thirty_two_by_tier) {
     const WorldDef world{.substeps = 8};
-    const int expected[] = {4, 8, 12, 8, 16, 32, 8};
+    const int expected[] = {4, 8, 12, 8, 16, 32, 4};
     for (const SolverTier tier : all_tiers)
         EXPECT_EQ(substeps_of(tier, world), expected[index_of(tier)]) << index_of(tier);
 }
@@ -37,7 +37,7 @@ TEST(SolverTier, tolerance_level_sets_the_substeps_up_to_64) {
 }
 
 TEST(SolverTier, halving_keeps_two_substeps_and_skips_tall_tiers) {
-    const int expected[] = {2, 4, 6, 8, 16, 32, 8};
+    const int expected[] = {2, 4, 6, 8, 16, 32, 4};
     for (const SolverTier tier : all_tiers)
         EXPECT_EQ(substeps_of({tier, 0}, {.substeps = 8}, true), expected[index_of(tier)]);
     EXPECT_EQ(substeps_of({SolverTier::low, 0}, {.substeps = 3}, true), 2);

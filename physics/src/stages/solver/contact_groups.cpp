@@ -155,12 +155,13 @@ void set_group(StepContext& step, const Component& component, ContactGroup& grou
 
 }  // namespace
 
-void find_contact_groups(StepContext& step, const SolverTask& task, ContactGroups& groups) {
+void find_contact_groups(StepContext& step, std::span<const std::uint32_t> bodies,
+                         ContactGroups& groups) {
     WorldState& world = step.world;
     const Vec3 up = -world.def.gravity;
     std::vector<int> place(step.scratch.solver.hot.size(), -1);
     std::vector<Member> members;
-    for (const std::uint32_t hot : step.scratch.solver.bodies.of(task.first, task.last)) {
+    for (const std::uint32_t hot : bodies) {
         place[hot] = static_cast<int>(members.size());
         members.push_back({hot, -1, dot(up, world.bodies.awake[hot - 1].center)});
     }

@@ -4,14 +4,17 @@
 // (constraints/contact_group).
 #pragma once
 
-#include "physics/src/stages/solver/solve_task.h"
+#include <cstdint>
+#include <span>
+
 #include "physics/src/stages/solver/solver_scratch.h"
 #include "physics/src/stages/step_context.h"
 
 namespace jostle::physics {
 
-// One group per set of bodies that manifolds connect, whether they touch yet or not. Call after the
-// bodies of the task are prepared.
-void find_contact_groups(StepContext& step, const SolverTask& task, ContactGroups& groups);
+// One group per set of bodies that manifolds connect, whether they touch yet or not. `bodies`: hot
+// indices of all dynamic bodies of a task, after they are prepared.
+void find_contact_groups(StepContext& step, std::span<const std::uint32_t> bodies,
+                         ContactGroups& groups);
 
 }  // namespace jostle::physics

@@ -177,7 +177,9 @@ void solve_with(StepContext& step, const SolverTask& task, const ContactSettings
     StepContext substeps{world, step.scratch, shared ? step.thread_pool : alone, step.dt,
                          step.contacts};
     const bool direct = task.tier == SolverTier::direct;
-    if (direct) find_contact_groups(step, task, scratch.contact_groups[task.first]);
+    if (direct)
+        find_contact_groups(step, scratch.bodies.of(task.first, task.last),
+                            scratch.contact_groups[task.first]);
     run_substeps(substeps, task, set, joints, kinematic,
                  direct ? &scratch.contact_groups[task.first] : nullptr);
 }

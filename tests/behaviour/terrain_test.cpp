@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdint>
+#include <ctime>
 
 #include "tests/support/near.h"
 #include "tests/support/random.h"
@@ -254,6 +256,25 @@ TEST(Terrain, ridge_and_underside_collide) {
     const BodyId ball = add(below, {.geometry = Sphere{0.25}, .position = {0.1, -1, 0.1}});
     run(below, 2);
     EXPECT_NEAR(position_of(below, ball).y, -0.25, 1e-3);
+}
+
+// No triangle has a neighbour that could cover its contacts, so each might be compared with all
+// others: 16 million tests.
+TEST(Terrain, soup_of_triangles_takes_bounded_time) {
+    constexpr int count = 4000;
+    std::vector<Vec3> vertices;
+    for (int i = 0; i < count + 2; i++)
+        vertices.push_back({(i * 7919 % 1000) / 1000.0, (i * 104729 % 1009) / 1000.0,
+                            static_cast<double>(std::int64_t{i} * 1299709 % 1013) / 1000});
+    std::vector<std::array<std::uint32_t, 3>> triangles;
+    for (std::uint32_t i = 0; i < count; i++) triangles.push_back({i, i + 1, i + 2});
+    World world = make_world();
+    add_ground(world, Mesh{must(build_mesh(vertices, triangles))}, 0.5);
+    add(world, {.geometry = Box{{2, 2, 2}}});
+    const std::clock_t start = std::clock();
+    must(world.step(1.0 / 60));
+    EXPECT_LT(static_cast<double>(std::clock() - start) / CLOCKS_PER_SEC, 2);
+    EXPECT_GT(world.profile().manifolds, 0);
 }
 
 }  // namespace

@@ -72,6 +72,9 @@ inline constexpr double weld_distance = 4e-5;  // m
 // Pieces of a floor whose heights differ by less than this, and less than even_ground of the size
 // of the shape on them, are flush.
 inline constexpr double flush_distance = 1e-3;  // m
+// Tests of a pair for triangles that cover a contact at an open edge. A box on a mesh without
+// shared vertices needs a few hundred; a soup of 40,000 triangles would need their square.
+inline constexpr int max_seam_tests = 4096;
 // An edge of a surface accepts normals that lean this far beyond its range.
 inline constexpr double edge_slack = 1e-4;  // rad
 // Round edges that cross at a small angle touch in an elongated ellipse (Hertz). They get two

@@ -327,14 +327,15 @@ private:
     // The normal of a neighbour that covers the contact with a triangle at a point of its edge: of
     // another shape, or of another triangle if the edge has no neighbour that could tell.
     std::optional<Vec3> covering_normal(const SurfaceTriangle& t, const Convex& triangle, Vec3 at,
-                                        Vec3 n, double gap, Vec3 face) const {
+                                        Vec3 n, double gap, Vec3 face) {
         if (dot(n, face) > facing) return std::nullopt;
         if (!seams_.empty())
             if (const auto cover = seams_.covering_normal(triangle, n, gap)) return cover;
         if (!is_on_border(*surface_.geometry, t, at + origin_)) return std::nullopt;
+        if (seam_tests_ > tuning::max_seam_tests) return std::nullopt;
         SeamContact contact(shape_, triangle, n, gap);
         for_each_triangle(*surface_.geometry, box_, [&](const SurfaceTriangle& other) {
-            if (other.index == t.index) return;
+            if (other.index == t.index || seam_tests_++ > tuning::max_seam_tests) return;
             const Vec3 corner[3] = {other.corner[0] - origin_, other.corner[1] - origin_,
                                     other.corner[2] - origin_};
             contact.test(triangle_convex(corner, {}, {}));
@@ -560,6 +561,7 @@ private:
     Vec3 middle_;
     Seams seams_;
     bool covered_ = false;  // a neighbour covers a contact
+    int seam_tests_ = 0;    // of triangles that may cover a contact at an open edge
     Vec3 exit_direction_;   // zero until computed
     std::optional<ShapeMotion> motion_;
     std::vector<Patch> patches_;

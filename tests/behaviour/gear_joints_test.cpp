@@ -147,7 +147,7 @@ TEST(Rack, falls_at_the_analytic_rate_with_the_pinion_inertia) {
     EXPECT_LT(worst, 1e-3);
 }
 
-// A pinion that hangs beside its axle drives a rack along x, or a second such wheel.
+// An eccentric pinion drives a rack along x or a second eccentric wheel.
 struct Eccentric {
     World world;
     BodyId first, second;

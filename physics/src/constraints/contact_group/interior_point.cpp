@@ -478,8 +478,8 @@ void InteriorPoint::drop_idle_impulses(GroupProblem& problem) const {
     }
 }
 
-// With constant radii the problem is convex. They are corrected as soon as the solution is
-// roughly known.
+// With constant radii the problem is convex. They are corrected before each of the first
+// iterations.
 bool InteriorPoint::iterate(GroupProblem& problem, SkylineCholesky& matrix, std::span<double> y,
                             double tolerance) {
     int corrections = 0;

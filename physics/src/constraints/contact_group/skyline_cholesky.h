@@ -28,8 +28,8 @@ public:
     // triangle is read.
     double* block(int i, int j) { return values_.data() + offset(i, j); }
 
-    // No pivot is smaller than 1, as in exact arithmetic: rounding may lose the identity beside
-    // large elements.
+    // Pivots are clamped to at least 1, their lower bound in exact arithmetic: beside large
+    // elements, rounding may lose the identity.
     void factor();
     // Replaces x by the solution. x has `size` elements per block row.
     void solve(std::span<double> x) const;

@@ -22,7 +22,7 @@ constexpr double projection_time = 0.05;  // s
 struct ProjectedBody {
     std::uint32_t body = none;
     bool movable = false, placed = false;  // placed: by an impact
-    bool held = true;                      // for now
+    bool held = true;                      // in the current attempt
     Quat rotation;                         // where the step has put it
     Vec3 turn;                             // its rotation in the step
     Vec3 before, start;  // m: of the centre at the start of the step, and where the step has put it

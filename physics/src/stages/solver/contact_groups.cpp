@@ -113,7 +113,8 @@ std::vector<int> find_order(WorldState& world, const Component& component) {
     return order;
 }
 
-// What a group may take of a step. Depends neither on the other groups of its task nor on threads.
+// Work that a group may use in a step. The share does not depend on how tasks are formed, so it is
+// the same for any number of threads.
 std::int64_t max_work_of(const StepContext& step, std::size_t bodies) {
     const std::int64_t share = tuning::max_direct_step_work * static_cast<std::int64_t>(bodies) /
                                step.world.profile.bodies_direct;

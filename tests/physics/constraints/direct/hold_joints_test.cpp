@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What a contact solver has set in motion ends a sub-step with its joints closed and within its
-// limits.
+// Bodies that a contact solver accelerates end a sub-step with closed joints, within their limits.
 #include <gtest/gtest.h>
 
 #include "tests/physics/constraints/direct/small_groups.h"

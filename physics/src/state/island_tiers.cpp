@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "jostle/base/check.h"
+#include "physics/src/constraint_graph/wide_rows.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/state/contact_constraints.h"
 #include "physics/src/state/impulse_scale.h"
@@ -125,11 +126,43 @@ CoupledIslands::CoupledIslands(const ContactGraph& stores) : first_(stores.islan
     for (std::uint32_t i = 0; i < count; i++) members_[next[first_[i]]++] = i;
 }
 
+namespace {
+
+// Whether the points of a contact overlap by more than a small fraction of the first body.
+bool overlaps_deeply(const ContactLaneRef& at) {
+    double deepest = 0;
+    for (const auto& gap : at.block->gap) deepest = minimum(deepest, double{gap[at.lane]});
+    return -deepest > tuning::squeezed_share * length(get_lane(at.block->arm_a, at.lane));
+}
+
+// Whether the islands stand without being pushed out of deep overlaps.
+bool all_rest(const ContactGraph& stores, std::span<const std::uint32_t> islands) {
+    bool rest = true;
+    for (const std::uint32_t i : islands)
+        for_each_body(stores, i, [&](std::uint32_t body) {
+            rest = rest && length_squared(warm_of(stores, body).v) <
+                               tuning::sleep_speed * tuning::sleep_speed;
+            for_each_manifold(stores.contacts, stores.bodies.cold[body], [&](std::uint32_t index) {
+                rest = rest &&
+                       !overlaps_deeply(lane_ref_of(stores.graph, stores.contacts.contacts[index]));
+            });
+        });
+    return rest;
+}
+
+}  // namespace
+
 void move_to_set(ContactGraph& stores, JointStore& joints, std::span<const std::uint32_t> islands,
                  ColourSetKey to) {
     ASSERT(!islands.empty() && to != asleep_set);
     const ColourSetKey from = stores.islands.islands[islands.front()].colour_set;
     if (from == to) return;
+    // Sweeps would keep the impulses of heavy loads after the bodies have moved, and throw light
+    // bodies at 100 m/s.
+    if (from.tier == SolverTier::direct && to.tier != SolverTier::direct &&
+        !all_rest(stores, islands))
+        for (const std::uint32_t i : islands)
+            scale_warm_start(stores, stores.islands.islands[i], 0);
     const bool other_tier = from.tier != to.tier;
     const double scale = static_cast<double>(substeps_of(from, stores)) / substeps_of(to, stores);
     ASSERT(scale > 0 && from != asleep_set);

@@ -84,6 +84,7 @@ Status check(const Config& c) {
         {"scene.geometry_bytes_max", c.scene.geometry_bytes_max, 1024, 1e10},
         {"scene.body_geometry_bytes_max", c.scene.body_geometry_bytes_max, 1024, 1 << 20},
         {"scene.work_per_second_max", c.scene.work_per_second_max, 1000, 1e12},
+        {"scene.pairs_per_shape_max", c.scene.pairs_per_shape_max, 0, 1000000},
         {"scene.work_total_per_second_max", c.scene.work_total_per_second_max, 1000, 1e13},
         {"scene.first_step_seconds_max", c.scene.first_step_seconds_max, 0.01, 3600},
         {"tick.input_share", c.tick.input_share, 0, 1},

@@ -59,6 +59,7 @@ struct SceneLimits {
     double geometry_bytes_max = 32e6;
     int body_geometry_bytes_max = 65536;
     double work_per_second_max = 2e8;
+    int pairs_per_shape_max = 16;            // 0: unlimited
     double work_total_per_second_max = 4e8;  // in all worlds together
     double first_step_seconds_max = 0.5;
 };

@@ -98,6 +98,7 @@ Setters setters_of(Config& c) {
         {"scene.geometry_bytes_max", into(c.scene.geometry_bytes_max)},
         {"scene.body_geometry_bytes_max", into(c.scene.body_geometry_bytes_max)},
         {"scene.work_per_second_max", into(c.scene.work_per_second_max)},
+        {"scene.pairs_per_shape_max", into(c.scene.pairs_per_shape_max)},
         {"scene.work_total_per_second_max", into(c.scene.work_total_per_second_max)},
         {"scene.first_step_seconds_max", into(c.scene.first_step_seconds_max)},
         {"world.worlds_max", into(c.world.worlds_max)},

@@ -10,7 +10,7 @@
 namespace jostle::server {
 namespace {
 
-constexpr std::uint64_t definition_version = 1;
+constexpr std::uint64_t definition_version = 2;
 
 Error not_a_definition(const std::string& why) {
     return {ErrorCode::corrupt_data, "corrupt world definition: " + why};
@@ -34,15 +34,17 @@ std::string encode_world_definition(const WorldDefinition& definition) {
     to.real(definition.limits.bodies_owned_max);
     to.real(definition.limits.lag_compensation_ms_max);
     to.real(definition.work_per_second);
+    to.real(scene.pairs_per_shape_max);  // since version 2
     return to.take();
 }
 
 Result<WorldDefinition> decode_world_definition(std::string_view bytes) {
     ByteReader from(bytes);
-    if (const std::uint64_t version = from.number(); from.ok() && version != definition_version)
+    const std::uint64_t version = from.number();
+    if (from.ok() && (version < 1 || version > definition_version))
         return Error{ErrorCode::failed_precondition,
                      "unsupported world definition: version " + std::to_string(version) +
-                         "; this server reads version " + std::to_string(definition_version)};
+                         "; this server reads versions 1 to " + std::to_string(definition_version)};
     WorldDefinition definition;
     definition.owner = from.text();
     Result<scenes::SceneDescription> scene = scenes::read_scene_json(from.text());
@@ -63,6 +65,7 @@ Result<WorldDefinition> decode_world_definition(std::string_view bytes) {
     definition.limits.bodies_owned_max = count();
     definition.limits.lag_compensation_ms_max = from.real();
     definition.work_per_second = from.real();
+    budget.pairs_per_shape_max = version < 2 ? 0 : count();  // worlds of version 1 had no limit
     if (!from.ok()) return not_a_definition("unexpected end of data");
     if (!from.at_end()) return not_a_definition("data after the end");
     if (!fits || !(definition.limits.lag_compensation_ms_max >= 0))

@@ -32,6 +32,7 @@ Result<HostedWorld> HostedWorld::create(const scenes::SceneDescription& scene,
     if (!built.ok()) return built.error();
     if (Status s = built->world.set_threads(threads); !s.ok()) return s.error();
     HostedWorld hosted({.world = std::move(built->world), .limits = limits}, scene.hz);
+    if (Status s = hosted.limit_pairs(); !s.ok()) return s.error();
     hosted.work_per_second_ = *work;
     for (std::size_t i = 0; i < built->bodies.size(); i++)
         hosted.state_.entities.add(hosted.state_.world, built->bodies[i], 0, scene.bodies[i].color,
@@ -95,7 +96,13 @@ void HostedWorld::release_all_clients() {
 
 void HostedWorld::set_limits(const HostLimits& limits) {
     state_.limits = limits;
+    const Status limited = limit_pairs();
+    ASSERT(limited.ok());
     frame_history_ = std::make_shared<FrameRing>(limits.lag_compensation_ms_max, hz_);
+}
+
+Status HostedWorld::limit_pairs() {
+    return state_.world.set_max_pairs_per_shape(state_.limits.scene.pairs_per_shape_max);
 }
 
 Status HostedWorld::accept_sequence(ClientId client, std::uint32_t sequence) {

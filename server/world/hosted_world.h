@@ -107,6 +107,7 @@ private:
         : state_(std::move(state)),
           hz_(hz),
           frame_history_(std::make_shared<FrameRing>(state_.limits.lag_compensation_ms_max, hz)) {}
+    Status limit_pairs();
     Status apply_and_record(const Command& command, InputResult& result);
     Status accept_sequence(ClientId client, std::uint32_t sequence);
     // `all`: every pose; otherwise those of bodies that are or were awake.

@@ -20,6 +20,8 @@ struct SceneBudget {
     // Constraint visits of the solver per second: rate x sub-steps x (moving bodies + joints +
     // pairs of shapes with overlapping bounding boxes). One core performs some 10 million.
     double work_per_second_max = 2e8;
+    // physics::WorldDef::max_pairs_per_shape. Limits what a running world adds to the estimate.
+    int pairs_per_shape_max = 16;
     // Limits the costs that the estimate lacks: overlapping meshes and compounds, and joint groups
     // that a direct solver solves.
     double first_step_seconds_max = 0.5;

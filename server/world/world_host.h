@@ -167,6 +167,7 @@ private:
     std::chrono::nanoseconds cpu_at_begin_{0};  // of this tick
     std::vector<WaitingResult> results_;        // of the inputs of this tick
     bool step_refused_ = false, step_interrupted_ = false;
+    Clock::time_point next_pairs_warning_{};
     bool step_aborted_ = false;  // the end of the world aborted the last step
 
     const std::shared_ptr<WorldJournal> world_journal_;    // null: not persisted

@@ -356,7 +356,11 @@ inline constexpr double quarantine_coordinate = 1e8;  // m
 // --- threads ---
 // Grain sizes of parallel ranges. Ranges of fewer than four grains stay on one thread. A grain
 // takes several microseconds, ten times a hand-over between threads.
-inline constexpr int pair_grain = 64;          // shapes that search for new pairs
+inline constexpr int pair_grain = 64;                // shapes that search for new pairs
+inline constexpr std::size_t min_pair_limit = 4096;  // WorldDef::max_pairs_per_shape adds to it
+// Grains that search at once in a world that limits its pairs. It determines which pairs are
+// skipped, so it does not depend on the number of threads.
+inline constexpr int limited_pair_grains = 16;
 inline constexpr int bound_grain = 512;        // separation bounds
 inline constexpr int narrow_phase_grain = 32;  // pairs in the narrow phase
 inline constexpr int body_grain = 256;         // bodies

@@ -21,7 +21,7 @@
 
 namespace jostle::physics {
 
-inline constexpr std::uint32_t saved_world_version = 19;
+inline constexpr std::uint32_t saved_world_version = 20;
 
 struct Saver {
     static constexpr bool kLoading = false;

@@ -568,6 +568,7 @@ void visit_stores(V& v, WorldStores& world) {
     v.field("last_dt", world.last_dt);
     v.optional("stiffness_dt", world.stiffness_dt, 18);
     v.optional("size_levels", world.size_levels, 19);
+    v.optional("max_pairs_per_shape", world.def.max_pairs_per_shape, 20);
     v.leave();
 
     v.enter("bodies");

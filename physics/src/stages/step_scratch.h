@@ -67,6 +67,7 @@ struct TriggerScratch {
 struct NewPairs {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> pairs;  // shapes
     std::vector<std::uint32_t> near;                             // shapes, of one query
+    std::size_t skipped = 0;                                     // pairs, at least
 };
 
 struct PairScratch {

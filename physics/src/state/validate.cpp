@@ -439,6 +439,9 @@ std::optional<std::string> find_fault(const WorldStores& world) {
         return "world.step_budget is out of range";
     if (world.def.step_budget > 0 && tolerance != 0)
         return "world.step_budget is set together with a tolerance";
+    if (world.def.max_pairs_per_shape < 0 ||
+        world.def.max_pairs_per_shape > limits::max_pairs_per_shape)
+        return "world.max_pairs_per_shape is out of range";
     if (world.overload_level.level > max_overload_level ||
         world.overload_level.easy >= tuning::overload_patience)
         return "world.overload_level is out of range";

@@ -31,6 +31,10 @@ Status check_world(const WorldDef& def) {
         return invalid_argument(
             "step_budget and tolerance are both set; sub-steps follow either the work of a step or "
             "its error: set one of them to 0 (substep_budget limits the cost of a tolerance)");
+    if (Status s = check_range("max_pairs_per_shape", def.max_pairs_per_shape, 0,
+                               limits::max_pairs_per_shape);
+        !s.ok())
+        return s;
     if (Status s = check_joint_solver("joint_solver", def.joint_solver); !s.ok()) return s;
     if (Status s = check_range("substeps", def.substeps, 1, limits::max_substeps); !s.ok())
         return s;

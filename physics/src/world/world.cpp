@@ -107,6 +107,18 @@ std::int64_t World::step_budget() const {
     return state_->def.step_budget;
 }
 
+int World::max_pairs_per_shape() const {
+    return state_->def.max_pairs_per_shape;
+}
+
+Status World::set_max_pairs_per_shape(int pairs) {
+    WorldDef def = state_->def;
+    def.max_pairs_per_shape = pairs;
+    if (Status s = check_world(def); !s.ok()) return s;
+    state_->def.max_pairs_per_shape = pairs;
+    return {};
+}
+
 int World::overload_level() const {
     return state_->overload_level.level;
 }

@@ -171,11 +171,11 @@ TEST(HostileBytes, joint_solvers_are_validated_and_absent_in_older_worlds) {
     }
     // Behind it, the tolerance and the budget of sub-steps stand what version 15 brought: the
     // step's budget and two bytes of strain; then 16 bytes of steps, the stiffness of version
-    // 18 and the byte of version 19.
+    // 18, the byte of version 19 and the limit of version 20.
     Bytes older = bytes;
     older.erase(older.begin() + static_cast<std::ptrdiff_t>(of_joint));
     const auto world_at = older.begin() + static_cast<std::ptrdiff_t>(of_world);
-    older.erase(world_at + 43, world_at + 52);
+    older.erase(world_at + 43, world_at + 56);
     older.erase(world_at + 17, world_at + 27);
     older.erase(world_at);
     older[8] = std::byte{13};

@@ -188,6 +188,13 @@ struct WorldDef {
     /// - Level 3: islands take half of their sub-steps, except slender, tall and heavily loaded
     ///   islands.
     std::int64_t step_budget = 0;
+    /// Limits the tracked pairs of shapes (StepProfile::pairs, without the additional manifolds) to
+    /// 4096 plus this number for each shape. 0 to 1000000; 0: unlimited. Bounds the memory and the
+    /// time of a step if many bodies overlap; 16 is far above what bodies that only touch need. New
+    /// pairs beyond the limit are skipped (StepProfile::pairs_skipped): these bodies pass through
+    /// each other until one of them leaves its fat box. Pairs with static or kinematic bodies have
+    /// priority.
+    int max_pairs_per_shape = 0;
     /// Threads per step, 1 to 64. Results are bit-identical for any number. A step after one with
     /// little work (StepProfile::work) uses one thread (profile.h: share_short_steps()).
     int threads = 1;

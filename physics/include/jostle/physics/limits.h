@@ -12,7 +12,8 @@ inline constexpr double max_density = 1e6;     ///< kg/m^3
 /// Range of an explicit mass, in kg. Below the minimum, an inertia may have no inverse that a float
 /// can represent.
 inline constexpr double min_mass = 1e-9, max_mass = 1e15;
-inline constexpr int max_substeps = 64;  ///< WorldDef::substeps
-inline constexpr int max_threads = 64;   ///< WorldDef::threads
+inline constexpr int max_substeps = 64;              ///< WorldDef::substeps
+inline constexpr int max_threads = 64;               ///< WorldDef::threads
+inline constexpr int max_pairs_per_shape = 1000000;  ///< WorldDef::max_pairs_per_shape
 
 }  // namespace jostle::physics::limits

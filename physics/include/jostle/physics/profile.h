@@ -68,6 +68,8 @@ struct StepProfile {
     /// Tracked pairs of shapes, awake or asleep. A pair with a mesh, a height field or a compound
     /// counts once more for each of its manifolds.
     int pairs = 0;
+    /// New pairs beyond WorldDef::max_pairs_per_shape; most count twice, once for each shape.
+    int pairs_skipped = 0;
     int pairs_checked = 0;  ///< narrow-phase tests
     /// Part of pairs_checked: with a mesh, a height field or a compound.
     int composites_checked = 0;

@@ -317,6 +317,9 @@ public:
     double tolerance() const;             ///< WorldDef::tolerance, m; 0: none
     std::int64_t substep_budget() const;  ///< WorldDef::substep_budget; 0: unlimited
     std::int64_t step_budget() const;     ///< WorldDef::step_budget; 0: unlimited
+    int max_pairs_per_shape() const;      ///< WorldDef::max_pairs_per_shape; 0: unlimited
+    /// Takes effect in the next step. Pairs that are already tracked stay tracked.
+    Status set_max_pairs_per_shape(int pairs);
     /// Returns the overload level of the next step, 0 to max_overload_level
     /// (WorldDef::step_budget).
     int overload_level() const;

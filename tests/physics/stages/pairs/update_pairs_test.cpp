@@ -70,6 +70,45 @@ TEST(UpdatePairs, creates_each_pair_once_in_shape_order) {
     EXPECT_EQ(pairs_of(world), 6);
 }
 
+// `count` balls at one place above a floor that is added last, so that its pairs come last.
+World crowd(int count, const WorldDef& def) {
+    World world = make_world(def);
+    for (int k = 0; k < count; k++)
+        must(world.create_body({.pose = {.position = {0, 0.52, 0}}}, {.geometry = Sphere{0.5}}));
+    add_static(world, {.position = {0, -0.5, 0}});
+    return world;
+}
+
+TEST(UpdatePairs, limit_skips_pairs_of_dynamic_bodies_first) {
+    World world = crowd(400, {.max_pairs_per_shape = 1});
+    EXPECT_EQ(pairs_of(world), 4096 + 401);
+    const int skipped = world.profile().pairs_skipped, excess = 400 * 399 / 2 + 400 - 4497;
+    EXPECT_TRUE(excess <= skipped && skipped <= 2 * (excess + 400)) << skipped << " of " << excess;
+    int on_floor = 0;
+    for (const Contact& c : state_of(world).contacts.contacts)
+        on_floor += c.shape_a == 400 || c.shape_b == 400;
+    EXPECT_EQ(on_floor, 400);
+    run(world, 1);
+    std::vector<BodyState> bodies;
+    world.copy_bodies(bodies);
+    for (std::size_t k = 0; k < 400; k++) EXPECT_GT(bodies[k].pose.position.y, 0.4) << k;
+    must(world.set_max_pairs_per_shape(0));
+    EXPECT_EQ(world.max_pairs_per_shape(), 0);
+    EXPECT_FALSE(world.set_max_pairs_per_shape(-1).ok());
+    EXPECT_FALSE(World::create({.max_pairs_per_shape = 1000001}).ok());
+}
+
+TEST(UpdatePairs, skipped_pairs_do_not_depend_on_threads_or_saving) {
+    World one = crowd(600, {.max_pairs_per_shape = 2}),
+          four = crowd(600, {.max_pairs_per_shape = 2, .threads = 4});
+    for (int k = 0; k < 40; k++) {
+        must(one.step(1.0 / 60));
+        must(four.step(1.0 / 60));
+        if (k == 5) four = must(load(save(four)));
+        ASSERT_EQ(state_hash(one), state_hash(four)) << k;
+    }
+}
+
 TEST(UpdatePairs, new_neighbour_wakes_a_sleeping_body) {
     World world = make_world();
     add_floor(world);

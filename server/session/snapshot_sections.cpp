@@ -34,11 +34,13 @@ SnapshotSections::SnapshotSections(const Sources& sources, const Hello& hello)
 }
 
 void SnapshotSections::on_enter(FrameListeners& listeners) {
+    listeners.streams++;
     for (const auto& section : optional_) section->on_enter(listeners);
 }
 
 void SnapshotSections::on_leave(FrameListeners& listeners) {
     for (const auto& section : optional_) section->on_leave(listeners);
+    listeners.streams--;
 }
 
 bool SnapshotSections::has_changes(const Frame& frame) const {

@@ -22,15 +22,16 @@ const PoseGrid& Frame::pose_grid() const {
 FrameRing::FrameRing(double history_ms, double hz)
     : frames_max_(1 + static_cast<std::size_t>(std::ceil(std::max(0.0, history_ms) * hz / 1000))) {}
 
-void FrameRing::put(FramePtr frame) {
-    FramePtr oldest;  // freed outside the lock
+void FrameRing::put(FramePtr frame, bool retain) {
+    std::vector<FramePtr> old;  // freed outside the lock
     const std::lock_guard lock(mutex_);
     ASSERT(frames_.empty() || frame->tick == frames_.back()->tick + 1);
     frames_.push_back(std::move(frame));
-    if (frames_.size() <= frames_max_) return;
-    oldest = std::move(frames_.front());
-    frames_.pop_front();
-    ASSERT(frames_.size() == frames_max_);
+    const std::size_t retained = retain ? frames_max_ : 1;
+    while (frames_.size() > retained) {
+        old.push_back(std::move(frames_.front()));
+        frames_.pop_front();
+    }
 }
 
 std::optional<RewindFrames> FrameRing::at(const ViewTime& view_time) const {

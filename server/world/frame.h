@@ -92,14 +92,15 @@ struct RewindFrames {
 };
 
 // The newest frames of a world, for lag compensation: clients render the world as it was some time
-// ago and aim at that. The tick thread puts frames; any thread reads them. Readers share the
-// ownership of the frames that they got.
+// ago and aim at that. A world without clients has only the newest frame. The tick thread puts
+// frames; any thread reads them. Readers share the ownership of the frames that they got.
 class FrameRing {
 public:
     // Holds the frames of `history_ms` at a rate of `hz`, and at least the newest one.
     FrameRing(double history_ms, double hz);
 
-    void put(FramePtr frame);
+    // `retain`: keeps past frames.
+    void put(FramePtr frame, bool retain);
     // A time after the newest frame yields the newest frame. Nothing: no frame was put yet.
     std::optional<RewindFrames> at(const ViewTime& view_time) const;
 

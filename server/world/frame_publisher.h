@@ -18,6 +18,7 @@ namespace jostle::server {
 
 // Frames carry an optional part while its count is above zero.
 struct FrameListeners {
+    std::atomic<int> streams{0};  // past frames are retained (FrameRing)
     std::atomic<int> events{0};
     std::atomic<int> motion{0};  // velocities of bodies (module_channels.h)
     std::atomic<int> controlled_entities{0};

@@ -234,7 +234,7 @@ void HostedWorld::copy_poses(bool all) {
         world.copy_bodies(bodies_);
         poses.reserve(bodies_.size());
         for (const BodyState& body : bodies_)
-            poses.push_back({by_body[body.id.index], body.pose, body.awake});
+            poses.push_back({by_body[body.id.index], body.awake, body.pose});
         // Bodies are listed by index; a reused index belongs to a later entity.
         std::ranges::sort(poses, {}, &EntityPose::id);
         ASSERT(poses.size() == state_.entities.size());

@@ -73,7 +73,7 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
     first->due = properties_.due_time(tick_);
     first->events = publisher_.events();
     world_.copy_into(*first);
-    world_.frame_history().put(first);
+    world_.frame_history().put(first, false);
     publisher_.set_frame(std::move(first));
     if (world_journal_) world_.enable_journal();
     if (!settings_.own_thread) return;
@@ -341,7 +341,7 @@ std::shared_ptr<Frame> WorldHost::make_frame(Clock::time_point due, std::uint32_
 
 // Results follow the frame, so that a client finds a spawned body in the frame.
 void WorldHost::publish(const std::shared_ptr<Frame>& frame, bool sends_results) {
-    world_.frame_history().put(frame);
+    world_.frame_history().put(frame, publisher_.listeners().streams.load() > 0);
     publisher_.set_frame(frame);
     if (sends_results)
         for (WaitingResult& waiting : results_)

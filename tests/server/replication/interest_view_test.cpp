@@ -46,10 +46,10 @@ struct Field {
             const int cell = static_cast<int>(id - 1) / 4;
             const double turn = moves ? 0.05 * tick + id : id;
             poses.push_back({.id = id,
+                             .awake = moves,
                              .pose = {{cell % 10 * cell_edge_m + 4.0 + id % 4 * 6 + std::cos(turn),
                                        1, cell / 10 * cell_edge_m + 16 + std::sin(turn)},
-                                      {}},
-                             .awake = moves});
+                                      {}}});
         }
         made->entities = PoseList(poses);
         return made;

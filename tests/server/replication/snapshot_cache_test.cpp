@@ -23,7 +23,7 @@ FramePtr frame_at(std::uint32_t tick) {
     frame->tick = tick;
     std::vector<EntityPose> poses;
     for (EntityId id = 1; id <= 40; ++id) {
-        EntityPose entity{.id = id, .pose = {}, .awake = id != 7};
+        EntityPose entity{.id = id, .awake = id != 7, .pose = {}};
         if (entity.awake) entity.pose.position = {0.01 * tick * id, 1.0 * id, -0.02 * tick};
         poses.push_back(entity);
     }
@@ -124,7 +124,7 @@ TEST(SnapshotCache, mostly_resting_world_decodes_exactly) {
     const auto list = std::make_shared<const EntityList>();
     std::vector<EntityPose> poses;
     for (EntityId id = 1; id <= 700; id++)
-        poses.push_back({id, {.position = {2.0 * id, 0, 0}, .rotation = {}}, false});
+        poses.push_back({id, false, {.position = {2.0 * id, 0, 0}, .rotation = {}}});
     PoseEditor editor;
     editor.assign(poses);
     BaselineTracker trackers[2];
@@ -195,7 +195,7 @@ TEST(SnapshotCache, resting_bodies_add_no_bytes) {
         frame->tick = tick;
         std::vector<EntityPose> poses;
         for (EntityId id = 1; id <= 1000; ++id)
-            poses.push_back({.id = id, .pose = {{1.0 * id, 0.5, 0}, {}}, .awake = false});
+            poses.push_back({.id = id, .awake = false, .pose = {{1.0 * id, 0.5, 0}, {}}});
         frame->entities = PoseList(poses);
         cache.encoding(frame, baselines.baselines_for(tick));
         baselines.on_sent(tick);

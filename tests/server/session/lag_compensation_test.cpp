@@ -165,6 +165,7 @@ TEST(LagCompensation, grabs_the_rendered_point_at_its_current_position) {
 TEST(LagCompensation, query_rpc_uses_the_view_time) {
     TestServer server;
     const auto world = server.host(range_scene());
+    world->listeners().streams++;  // a player's, on whose behalf the queries are made
     for (int i = 0; i < 60; i++) {
         server.now += std::chrono::microseconds(16'667);
         world->tick(server.now);

@@ -19,7 +19,7 @@ TEST(FrameRing, retains_the_configured_history_and_returns_surrounding_frames) {
     FrameRing ring(400, 60);
     EXPECT_EQ(ring.frames_max(), 25u);
     EXPECT_FALSE(ring.at({5, 0.5})) << "before the first frame";
-    for (std::uint32_t tick = 1; tick <= 100; tick++) ring.put(frame_of(tick));
+    for (std::uint32_t tick = 1; tick <= 100; tick++) ring.put(frame_of(tick), true);
     const auto between = ring.at({90, 0.25});
     ASSERT_TRUE(between);
     EXPECT_EQ(between->before->tick, 90u);
@@ -34,7 +34,7 @@ TEST(FrameRing, retains_the_configured_history_and_returns_surrounding_frames) {
 
 TEST(FrameRing, clamps_to_the_oldest_frame_and_reports_it) {
     FrameRing ring(400, 60);
-    for (std::uint32_t tick = 1; tick <= 100; tick++) ring.put(frame_of(tick));
+    for (std::uint32_t tick = 1; tick <= 100; tick++) ring.put(frame_of(tick), true);
     for (const std::uint32_t tick : {75u, 1u, 0u}) {
         const auto checkpoint_copy = ring.at({tick, 0.9});
         EXPECT_EQ(checkpoint_copy->before->tick, 76u);
@@ -45,7 +45,7 @@ TEST(FrameRing, clamps_to_the_oldest_frame_and_reports_it) {
 
 TEST(FrameRing, clamps_future_times_to_the_newest_frame) {
     FrameRing ring(400, 60);
-    for (std::uint32_t tick = 1; tick <= 100; tick++) ring.put(frame_of(tick));
+    for (std::uint32_t tick = 1; tick <= 100; tick++) ring.put(frame_of(tick), true);
     for (const ViewTime view_time : {ViewTime{100, 0.5}, ViewTime{4'000'000'000, 0}}) {
         EXPECT_EQ(ring.at(view_time)->before->tick, 100u);
         EXPECT_EQ(ring.at(view_time)->after->tick, 100u);
@@ -53,10 +53,22 @@ TEST(FrameRing, clamps_future_times_to_the_newest_frame) {
     }
 }
 
+TEST(FrameRing, retains_past_frames_only_while_clients_watch) {
+    FrameRing ring(400, 60);
+    for (std::uint32_t tick = 1; tick <= 10; tick++) ring.put(frame_of(tick), false);
+    EXPECT_EQ(ring.at({9, 0})->before->tick, 10u);
+    EXPECT_TRUE(ring.at({9, 0})->clamped);
+    for (std::uint32_t tick = 11; tick <= 20; tick++) ring.put(frame_of(tick), true);
+    EXPECT_EQ(ring.at({10, 0})->before->tick, 10u);
+    EXPECT_FALSE(ring.at({10, 0})->clamped);
+    ring.put(frame_of(21), false);
+    EXPECT_TRUE(ring.at({20, 0})->clamped);
+}
+
 TEST(FrameRing, zero_history_retains_only_the_newest_frame) {
     FrameRing ring(0, 60);
-    ring.put(frame_of(7));
-    ring.put(frame_of(8));
+    ring.put(frame_of(7), true);
+    ring.put(frame_of(8), true);
     EXPECT_EQ(ring.at({7, 0})->before->tick, 8u);
     EXPECT_TRUE(ring.at({7, 0})->clamped);
 }

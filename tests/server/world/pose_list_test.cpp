@@ -10,8 +10,8 @@ std::vector<EntityPose> standing(std::size_t count) {
     std::vector<EntityPose> poses;
     for (std::size_t i = 0; i < count; i++)
         poses.push_back({.id = static_cast<EntityId>(2 * i + 1),
-                         .pose = {{static_cast<double>(i), 0, 0}, {}},
-                         .awake = true});
+                         .awake = true,
+                         .pose = {{static_cast<double>(i), 0, 0}, {}}});
     return poses;
 }
 

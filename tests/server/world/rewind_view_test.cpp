@@ -69,7 +69,7 @@ struct SteppedWorld {
         frame->tick = ++tick;
         frame->due = Clock::time_point() + std::chrono::microseconds(tick * 16'667);
         world.copy_into(*frame);
-        world.frame_history().put(frame);
+        world.frame_history().put(frame, true);
         newest = frame;
     }
     RewindView view(double at) const {
@@ -196,7 +196,7 @@ TEST(RewindView, a_ray_does_not_visit_all_entities) {
     std::vector<EntityPose> poses;
     for (EntityId id = 1; id <= 19'600; id++)
         poses.push_back(
-            {id, {{(id % 140) * 1.5, 0.5, static_cast<int>(id / 140) * 1.5}, {}}, false});
+            {id, false, {{(id % 140) * 1.5, 0.5, static_cast<int>(id / 140) * 1.5}, {}}});
     const PoseGrid grid(poses, std::vector<double>(poses.size(), 0.9));
     std::vector<std::uint32_t> indices;
     grid.append_near_segment({100, 1, 100}, {30, 0, 10}, 0, indices);

@@ -95,6 +95,25 @@ std::vector<std::uint32_t> coupled_islands(const BodySets& sets, const ContactSt
     return coupled;
 }
 
+std::vector<std::uint32_t> few_coupled_islands(const BodySets& sets, const ContactStore& contacts,
+                                               std::uint32_t island, std::size_t max) {
+    std::vector<std::uint32_t> coupled{island};
+    for (std::size_t k = 0; k < coupled.size(); k++) {
+        for_each_body(sets, coupled[k], [&](std::uint32_t body) {
+            for_each_manifold(contacts, sets.bodies.cold[body], [&](std::uint32_t index) {
+                const Contact& c = contacts.contacts[index];
+                const std::uint32_t other =
+                    sets.bodies.cold[c.body_a == body ? c.body_b : c.body_a].island;
+                if (other != none && coupled.size() <= max &&
+                    std::find(coupled.begin(), coupled.end(), other) == coupled.end())
+                    coupled.push_back(other);
+            });
+        });
+        if (coupled.size() > max) return {};
+    }
+    return coupled;
+}
+
 CoupledIslands::CoupledIslands(const ContactGraph& stores) : first_(stores.islands.islands.size()) {
     const auto count = static_cast<std::uint32_t>(first_.size());
     for (std::uint32_t i = 0; i < count; i++) first_[i] = i;

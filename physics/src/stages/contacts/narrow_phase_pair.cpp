@@ -29,7 +29,7 @@ bool will_be_swept(const StepContext& step, const Contact& c, double displacemen
     if (left_to_contacts(world, a, b)) return false;
     const auto sweeps = [&](const BodyCold& mover, const BodyCold& other) {
         if (!mover.continuous || mover.set != BodySet::awake) return false;
-        if (displacement <= motion_without_sweep(step.scratch.contacts, mover, other)) return false;
+        if (displacement <= motion_without_sweep(mover, other)) return false;
         const BodyWarm& warm = world.bodies.awake[mover.at];
         return (length(warm.v) + length(warm.w) * mover.radius) * step.dt >
                tuning::sweep_fraction * mover.inner_radius;
@@ -37,15 +37,22 @@ bool will_be_swept(const StepContext& step, const Contact& c, double displacemen
     return sweeps(a, b) || sweeps(b, a);
 }
 
-// Closing speed of the centres of two bodies along a direction from a to b, m/s.
+bool is_dynamic(const BodySets& sets, std::uint32_t body) {
+    return sets.bodies.cold[body].type == BodyType::dynamic;
+}
+// Closing speed along a direction from a to b, m/s: of the centres of two dynamic bodies, otherwise
+// at the centre of a.
 double closing_along(const BodySets& sets, const Contact& c, Vec3 direction) {
-    return dot(direction, motion_of(sets, c.body_a).v - motion_of(sets, c.body_b).v);
+    const BodyMotion a = motion_of(sets, c.body_a), b = motion_of(sets, c.body_b);
+    if (is_dynamic(sets, c.body_b)) return dot(direction, a.v - b.v);
+    return dot(direction, a.v - b.v - cross(b.w, a.center - b.center));
 }
 // Upper bound of the additional closing speed of any two points due to rotation, m/s.
 double closing_by_turning(const BodySets& sets, const Contact& c) {
-    const BodyCold &a = sets.bodies.cold[c.body_a], &b = sets.bodies.cold[c.body_b];
+    const double radius_a = sets.bodies.cold[c.body_a].radius;
     const Vec3 wa = motion_of(sets, c.body_a).w, wb = motion_of(sets, c.body_b).w;
-    return length(wa) * a.radius + (b.type == BodyType::static_body ? 0 : length(wb) * b.radius);
+    if (!is_dynamic(sets, c.body_b)) return length(wa - wb) * radius_a;
+    return length(wa) * radius_a + length(wb) * sets.bodies.cold[c.body_b].radius;
 }
 
 // Lookahead distance for contacts: the closing distance of the pair in a step, limited to the size

@@ -3,6 +3,7 @@
 // The relative motion of the two bodies of a pair.
 #pragma once
 
+#include "physics/src/stages/relative_displacement.h"
 #include "physics/src/state/world_stores.h"
 
 namespace jostle::physics {
@@ -15,12 +16,19 @@ inline BodyMotion motion_of(const BodySets& sets, std::uint32_t body) {
     return {warm.center, warm.v, warm.w};
 }
 
-// Upper bound of the relative displacement of any two points of the bodies in a step, m.
+inline BodyDisplacement displacement_of(const BodySets& sets, std::uint32_t body, double dt) {
+    const BodyMotion m = motion_of(sets, body);
+    return {m.center, m.v * dt, m.w * dt, displaced_radius(sets.bodies.cold[body])};
+}
+
+// Upper bound of the relative displacement of two points of the bodies that may touch in a step, m.
+// Forces may turn dynamic bodies within the step, so the bound does not rely on the rotation that
+// they share.
 inline double max_closing_distance(const BodySets& sets, const Contact& c, double dt) {
-    const BodyCold &a = sets.bodies.cold[c.body_a], &b = sets.bodies.cold[c.body_b];
-    const BodyMotion ma = motion_of(sets, c.body_a), mb = motion_of(sets, c.body_b);
-    const double turning_b = b.type == BodyType::static_body ? 0 : length(mb.w) * b.radius;
-    return (length(ma.v - mb.v) + length(ma.w) * a.radius + turning_b) * dt;
+    const BodyDisplacement a = displacement_of(sets, c.body_a, dt),
+                           b = displacement_of(sets, c.body_b, dt);
+    return sets.bodies.cold[c.body_b].type == BodyType::dynamic ? displacement_anywhere(a, b)
+                                                                : max_relative_displacement(a, b);
 }
 
 }  // namespace jostle::physics

@@ -169,7 +169,7 @@ void find_candidates_in_contacts(const ToiState& state, std::uint32_t body,
     candidates.clear();
     const WorldState& world = state.world;
     const BodyCold& cold = world.bodies.cold[body];
-    const SweptMotion motion = state.motions.of(world, body);
+    const BodyDisplacement motion = state.motions.of(world, body);
     const auto& contacts = world.contacts.contacts;
     for (std::uint32_t edge = cold.first_edge; edge != none;) {
         ASSERT(edge / 2 < contacts.size());

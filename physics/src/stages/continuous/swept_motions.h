@@ -12,16 +12,12 @@
 #include "physics/src/collision/narrowphase/time_of_impact.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/continuous/ccd_policy.h"
+#include "physics/src/stages/relative_displacement.h"
 #include "physics/src/stages/step_context.h"
 #include "physics/src/stages/step_scratch.h"
 #include "physics/src/state/shape_proxy.h"
 
 namespace jostle::physics {
-
-struct SweptMotion {
-    Vec3 center, motion;  // m: at the start of the step, and displacement to its end
-    double turning = 0;   // m: upper bound of the displacement of any point by rotation
-};
 
 class SweptMotions {
 public:
@@ -42,8 +38,7 @@ public:
             for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++) {
                 const Sweep& sweep = sweeps_[k] = sweep_of_body(known[k]);
                 const double radius = bodies.cold[bodies.awake[known[k]].body].radius;
-                motions_[k] = {sweep.center, sweep.translation,
-                               length(sweep.rotation_vector) * radius};
+                motions_[k] = {sweep.center, sweep.translation, sweep.rotation_vector, radius};
             }
         });
         dt_ = step.dt;
@@ -59,14 +54,14 @@ public:
         return sweeps_[index_[awake]];
     }
     // The motion of any body. If it is not known, it is extrapolated backwards from the velocity.
-    SweptMotion of(const WorldState& world, std::uint32_t body) const {
+    BodyDisplacement of(const WorldState& world, std::uint32_t body) const {
         const BodyCold& cold = world.bodies.cold[body];
         const bool awake = cold.set == BodySet::awake;
         if (awake && knows(cold.at)) return motions_[index_[cold.at]];
         const BodyWarm& warm = warm_of(world, body);
-        if (!awake) return {warm.center, {}, 0};
-        const Vec3 motion = warm.v * dt_;
-        return {warm.center - motion, motion, length(warm.w * dt_) * cold.radius};
+        if (!awake) return {warm.center, {}, {}, displaced_radius(cold)};
+        const Vec3 translation = warm.v * dt_;
+        return {warm.center - translation, translation, warm.w * dt_, cold.radius};
     }
 
     // Returns whether the motions of a body and another body, one of whose shapes is given, may
@@ -74,12 +69,12 @@ public:
     // are left to the contact solver (stages/contacts/update_contacts.cpp), unless the pair bounces
     // (ccd_policy.h), which is evaluated last.
     template <class Bounces>
-    bool may_collide(const WorldState& world, const SweptMotion& motion, const BodyCold& cold,
+    bool may_collide(const WorldState& world, const BodyDisplacement& motion, const BodyCold& cold,
                      std::uint32_t other, std::uint32_t other_shape, Bounces&& bounces) const {
         const BodyCold& cold_other = world.bodies.cold[other];
         if (left_to_contacts(world, cold, cold_other)) return false;
-        const SweptMotion other_motion = of(world, other);
-        const Vec3 closing = motion.motion - other_motion.motion;
+        const BodyDisplacement other_motion = of(world, other);
+        const Vec3 closing = motion.translation - other_motion.translation;
         if (cold_other.type != BodyType::dynamic) {
             if (!is_on_path(world, motion, cold.radius, world.shapes.shapes[other_shape]))
                 return false;
@@ -92,15 +87,15 @@ public:
             if (!(length_squared(apart - closing * nearest) < reach * reach)) return false;
         }
         // Slightly less than predicted, so that no pair falls between the two criteria.
-        return length(closing) + motion.turning + other_motion.turning >=
-                   tuning::sweep_share * tuning::sweep_fraction * cold.inner_radius ||
+        return max_relative_displacement(motion, other_motion) >=
+                   tuning::sweep_share * motion_without_sweep(cold, cold_other) ||
                bounces();
     }
 
 private:
-    static bool is_on_path(const WorldState& world, const SweptMotion& motion, double radius,
+    static bool is_on_path(const WorldState& world, const BodyDisplacement& motion, double radius,
                            const ShapeRecord& shape) {
-        const Vec3 end = motion.center + motion.motion;
+        const Vec3 end = motion.center + motion.translation;
         const Aabb swept_box =
             grow({min(motion.center, end), max(motion.center, end)}, radius + tuning::swept_margin);
         return is_plane(shape) ? reaches_plane(world, shape, swept_box)
@@ -109,7 +104,7 @@ private:
 
     static constexpr std::uint32_t not_known = 0xffffffff;
 
-    std::vector<SweptMotion> motions_;
+    std::vector<BodyDisplacement> motions_;
     std::vector<Sweep> sweeps_;         // of the same bodies
     std::vector<std::uint32_t> index_;  // by awake index: index into motions_
     double dt_ = 0;

@@ -42,12 +42,12 @@ Sweep sweep_of(const ToiState& state, std::uint32_t body) {
     return known != none ? state.bodies[known].sweep : sweep_of_step(state, body);
 }
 
-SweptMotion remaining_motion_of(const ToiState& state, std::uint32_t body) {
+BodyDisplacement remaining_motion_of(const ToiState& state, std::uint32_t body) {
     const std::uint32_t known = state.index_of(body);
     if (known == none) return state.motions.of(state.world, body);
     const Sweep& sweep = state.bodies[known].sweep;
-    return {sweep.center, sweep.translation,
-            length(sweep.rotation_vector) * state.world.bodies.cold[body].radius};
+    return {sweep.center, sweep.translation, sweep.rotation_vector,
+            state.world.bodies.cold[body].radius};
 }
 
 Fall fall_of(const ToiState& state, std::uint32_t body) {

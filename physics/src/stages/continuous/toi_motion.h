@@ -17,7 +17,7 @@ Speed speed_of(const ToiState& state, std::uint32_t body, double fraction);
 // from the velocity.
 Sweep sweep_of(const ToiState& state, std::uint32_t body);
 // Bounds of the same motion.
-SweptMotion remaining_motion_of(const ToiState& state, std::uint32_t body);
+BodyDisplacement remaining_motion_of(const ToiState& state, std::uint32_t body);
 // The velocity change that bends the path of a body.
 Fall fall_of(const ToiState& state, std::uint32_t body);
 

@@ -51,20 +51,18 @@ bool is_deflected(const ToiState& state, const ToiBody& t, std::uint32_t other_i
 
 bool needs_sweep(const ToiState& state, const ToiBody& t, std::uint32_t other_body) {
     const WorldState& world = state.world;
-    const ContactScratch& contacts = state.step.scratch.contacts;
     const BodyCold &cold = world.bodies.cold[t.body], &other = world.bodies.cold[other_body];
     if (left_to_contacts(world, cold, other)) return false;
     const std::uint32_t known = state.index_of(other_body);
     const bool deflected = is_deflected(state, t, known);
     if (deflected && other.type != BodyType::dynamic) return true;
-    double least = motion_without_sweep(contacts, cold, other);
-    // If both bodies search, only one of them sweeps the pair.
-    if (known != none && searches(state, known))
-        least = minimum(least, motion_without_sweep(contacts, other, cold));
-    least *= deflected ? tuning::sweep_share_after_impact : tuning::sweep_share;
-    const SweptMotion motion = remaining_motion_of(state, other_body);
-    const double displacement = length(t.sweep.translation - motion.motion) +
-                                length(t.sweep.rotation_vector) * cold.radius + motion.turning;
+    double least = tuning::sweep_share * motion_without_sweep(cold, other);
+    if (deflected)
+        least = tuning::sweep_share_after_impact * tuning::sweep_fraction *
+                minimum(cold.inner_radius, other.inner_radius);
+    const double displacement = max_relative_displacement(
+        {t.sweep.center, t.sweep.translation, t.sweep.rotation_vector, cold.radius},
+        remaining_motion_of(state, other_body));
     return displacement * (1 - t.sweep.from) > least;
 }
 
@@ -81,8 +79,8 @@ bool spheres_miss(const ToiState& state, const ToiBody& t, std::uint32_t other_b
         center = sweep.center, translation = sweep.translation;
         from = sweep.from, until = minimum(until, sweep.until);
     } else {
-        const SweptMotion motion = state.motions.of(world, other_body);
-        center = motion.center, translation = motion.motion;
+        const BodyDisplacement motion = state.motions.of(world, other_body);
+        center = motion.center, translation = motion.translation;
         // An upper bound of the distance between the path of a free body and its chord.
         reach += length(gain_in_free_fall(world, other, state.step.dt)) * state.step.dt;
     }

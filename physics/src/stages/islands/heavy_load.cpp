@@ -158,8 +158,10 @@ void raise_to_direct_tier(ContactGraph& stores, JointStore& joints,
         if (set.tier == SolverTier::direct ||
             stores.islands.islands[island].bodies > tuning::max_group_bodies)
             continue;
-        const std::vector<std::uint32_t> coupled = coupled_islands(stores, stores.contacts, island);
-        if (may_be_solved_directly(stores, coupled) && mostly_stand(stores, coupled) &&
+        const std::vector<std::uint32_t> coupled =
+            few_coupled_islands(stores, stores.contacts, island, tuning::max_group_bodies);
+        if (!coupled.empty() && may_be_solved_directly(stores, coupled) &&
+            mostly_stand(stores, coupled) &&
             largest_load_ratio(stores, coupled, up) >= tuning::direct_load_ratio)
             move_to_set(stores, joints, coupled, {SolverTier::direct, set.batch});
     }

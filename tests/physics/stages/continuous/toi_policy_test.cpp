@@ -24,12 +24,12 @@ TEST(ToiPolicy, ignored_pair_does_not_collide) {
     EXPECT_TRUE(may_hit(state, a, c));
 }
 
-// Half of the thickness of a ball of 0.1 m, times 0.8: 4 cm in free flight.
+// Half of the sum of the radii of two balls of 0.1 m, times 0.8.
 TEST(ToiPolicy, displacement_below_the_sweep_limit_is_left_to_contacts) {
     ToiScene scene;
     const std::uint32_t a = scene.ball(0), b = scene.ball(1), c = scene.ball(2);
     ToiState& state = scene.begin();
-    const std::size_t slow = scene.moving(a, 0.039), fast = scene.moving(b, 0.041);
+    const std::size_t slow = scene.moving(a, 0.079), fast = scene.moving(b, 0.081);
     EXPECT_FALSE(needs_sweep(state, state.bodies[slow], c));
     EXPECT_TRUE(needs_sweep(state, state.bodies[fast], c));
     EXPECT_FALSE(needs_sweep(state, state.bodies[fast], a)) << "2 mm relative to each other";

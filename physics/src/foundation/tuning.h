@@ -257,6 +257,11 @@ inline constexpr int max_net_joints = 2048;
 inline constexpr double joint_push_speed = 10;  // m/s
 inline constexpr double joint_push_spin = 8;    // rad/s
 
+// --- narrow phase ---
+// Overlap of two polyhedra, as a fraction of the size of the smaller one, up to which the axis of
+// the previous test is used again without a search for a better one.
+inline constexpr double trusted_overlap = 2e-3;
+
 // --- continuous collision ---
 // A body is swept if one of its points may have moved further than this fraction of its thickness.
 inline constexpr double sweep_fraction = 0.5;

@@ -118,6 +118,20 @@ HullLanes lanes_of(const ConvexHull& hull) {
     return lanes;
 }
 
+float normals_along(const HullLanes& lanes, Vec3 d, float* to) {
+    const Four x = splat(static_cast<float>(d.x)), y = splat(static_cast<float>(d.y)),
+               z = splat(static_cast<float>(d.z));
+    Four most = splat(-2.0f);
+    for (const DirectionLanes& n : lanes.normals)
+        for (std::size_t half = 0; half < 8; half += 4) {
+            const Four at = (load(n.x + half) * x + load(n.y + half) * y) + load(n.z + half) * z;
+            store(to, at);
+            most = larger(most, at);
+            to += 4;
+        }
+    return std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
+}
+
 std::size_t furthest_vertex(const HullLanes& lanes, Vec3 d) {
     const Two dx = splat(d.x), dy = splat(d.y), dz = splat(d.z);
     Two most[2] = {splat(-1e300), splat(-1e300)}, at[2] = {}, here = {};

@@ -45,6 +45,10 @@ HullLanes lanes_of(const ConvexHull& hull);
 // Returns the index of the vertex that is furthest along d (any length); of several, the first.
 std::size_t furthest_vertex(const HullLanes& lanes, Vec3 d);
 
+// Writes the dot product of each normal with a unit vector, to 1e-6, as many values as there are
+// lanes, and returns the largest.
+float normals_along(const HullLanes& lanes, Vec3 d, float* to);
+
 // A ball inside one shape and a ball inside another. Along a direction n from the first to the
 // second, the separation of the shapes is at most that of the balls, n . apart - radii.
 struct InnerBalls {

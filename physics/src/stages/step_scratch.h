@@ -78,7 +78,8 @@ struct PairScratch {
 // Scratch data that update_sleep and put_parts_to_sleep reuse from step to step. No later stage
 // reads it.
 struct SleepScratch {
-    std::vector<std::uint32_t> islands;  // awake islands, in ascending order
+    std::vector<std::uint32_t> islands;   // awake islands, in ascending order
+    std::vector<std::uint32_t> to_split;  // awake islands that may consist of several parts
     // Indexed by island; valid for the awake ones: shortest and longest rest time of its bodies, s.
     std::vector<double> shortest, longest;
     std::vector<std::uint8_t> restless;  // by hot index: has not rested for long

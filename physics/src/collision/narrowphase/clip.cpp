@@ -72,13 +72,11 @@ Feature feature_of_polyhedron(const Convex& shape, Vec3 d) {
     ASSERT(!p.faces.empty());
     std::size_t best = 0;
     double most = -1e300;
-    for (std::size_t k = 0; k < p.faces.size(); k++) {
-        const double along = dot(p.faces[k].normal, d);
-        if (p.faces[k].count >= 3 && along > most + 1e-9) {
-            most = along;
-            best = k;
-        }
-    }
+    for_each_face_along(p, d, [&](std::size_t k, double along) {
+        if (p.faces[k].count < 3 || along <= most + 1e-9) return;
+        most = along;
+        best = k;
+    });
     Feature f;
     f.normal = p.faces[best].normal;
     ASSERT(p.faces[best].count <= max_face_vertices);
@@ -312,6 +310,7 @@ ContactPoints contact_points(const Convex& a, const Convex& b, const Witness& wi
     ASSERT(out.count <= ContactPoints::capacity);
     if (lowest > deepest + lost * (1 + 1e-6) && deepest <= margin) {
         if (out.count == ContactPoints::capacity) out.count--;
+        out.witness_added = true;
         out.gap[out.count] = deepest;
         out.point[out.count] = (witness.on_a + n * a.radius + witness.on_b - n * b.radius) * 0.5;
         out.count++;

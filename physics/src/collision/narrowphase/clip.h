@@ -30,9 +30,25 @@ struct Witness {
 // and one point has the gap of the witness.
 struct ContactPoints {
     static constexpr int capacity = 2 * static_cast<int>(max_face_vertices);
+
+    ContactPoints() {}  // NOLINT(modernize-use-equals-default): does not clear the arrays
+    ContactPoints(const ContactPoints& other) { *this = other; }
+    // Copies the used part of the arrays.
+    ContactPoints& operator=(const ContactPoints& other) {
+        if (this == &other) return *this;
+        count = other.count;
+        witness_added = other.witness_added;
+        for (int k = 0; k < count; k++) {
+            point[k] = other.point[k];
+            gap[k] = other.gap[k];
+        }
+        return *this;
+    }
+
     int count = 0;
     UninitializedArray<Vec3, capacity> point;
     double gap[capacity];
+    bool witness_added = false;  // the touching features lack the witness, which is the last point
 };
 ContactPoints contact_points(const Convex& a, const Convex& b, const Witness& witness,
                              double margin);

@@ -4,6 +4,7 @@
 #include "jostle/base/check.h"
 #include "physics/src/collision/narrowphase/gjk.h"
 #include "physics/src/collision/narrowphase/penetration.h"
+#include "physics/src/foundation/tuning.h"
 #include "physics/src/math/is_unit.h"
 
 namespace jostle::physics {
@@ -89,7 +90,10 @@ std::optional<Witness> apart_witness(const Convex& a, const Convex& b, Vec3 norm
     const Vec3 hint = length_squared(cache.direction) > 0 ? cache.direction : normal;
     const GjkResult g = gjk(a, b, hint, {.beyond = enough});
     if (g.distance == 0) return std::nullopt;
-    if (g.distance <= distance + tie_of(a, b)) return Witness{normal, distance, g.on_a, g.on_b};
+    if (g.distance <= distance + tie_of(a, b)) {
+        cache.direction = normal;
+        return Witness{normal, distance, g.on_a, g.on_b};
+    }
     cache.direction = g.normal;
     return from(g);
 }
@@ -108,8 +112,8 @@ std::optional<Witness> still_apart_witness(const Convex& a, const Convex& b, con
     return Witness{face.normal, face.distance, w->on_a, w->on_b};
 }
 
-Witness polyhedra_witness(const Convex& a, const Convex& b, double enough, PairCache& cache) {
-    const Separation last = separate_again(a, b, cache.axis);
+Witness polyhedra_witness(const Convex& a, const Convex& b, const Separation& last, double enough,
+                          PairCache& cache) {
     ASSERT(is_polyhedron(a) && is_polyhedron(b));
     if (last.distance > enough) return from(last);
     if (last.distance > 0)
@@ -137,7 +141,8 @@ Witness core_witness(const Convex& polyhedron, const Convex& core, double enough
 }  // namespace
 
 Witness find_witness(const Convex& a, const Convex& b, double enough, PairCache& cache) {
-    if (is_polyhedron(a) && is_polyhedron(b)) return polyhedra_witness(a, b, enough, cache);
+    if (is_polyhedron(a) && is_polyhedron(b))
+        return polyhedra_witness(a, b, separate_again(a, b, cache.axis), enough, cache);
     const auto is_line = [](const Convex& c) {
         return c.core == Core::point || c.core == Core::segment;
     };
@@ -160,8 +165,52 @@ Witness find_witness(const Convex& a, const Convex& b, double enough, PairCache&
     return round_witness(a, b, enough, cache);
 }
 
+namespace {
+
+// The manifold along an axis, if the two shapes have points at the separation of the axis. Then no
+// other axis separates them by more; and if they overlap along this axis by little, all axes do, up
+// to that overlap. So neither the closest points nor the other axes need a search.
+std::optional<Manifold> collide_along(const Convex& a, const Convex& b, const Witness& w,
+                                      bool between_edges, double margin) {
+    if (w.distance - a.radius - b.radius > margin) return std::nullopt;
+    // The closest points of two lines may lie outside the edges.
+    if (between_edges && length(w.on_b - w.on_a) > absolute(w.distance) + tie_of(a, b))
+        return std::nullopt;
+    const ContactPoints points = contact_points(a, b, w, margin);
+    if (points.count == 0 || (points.witness_added && !between_edges)) return std::nullopt;
+    return manifold_of(points, w.normal, minimum(size_of(a), size_of(b)));
+}
+
+// Returns whether the cached axis is worth a test. It is not if other features were closest last
+// time.
+bool may_be_exact(const Convex& a, const Convex& b, const Separation& last, double enough,
+                  const PairCache& cache) {
+    const double overlap = tuning::trusted_overlap * minimum(size_of(a), size_of(b));
+    if (last.distance < -overlap || last.distance > enough) return false;
+    return last.distance <= 0 || cache.direction == Vec3{} ||
+           dot(cache.direction, last.normal) > 1 - 1e-3;
+}
+
+Manifold collide_polyhedra(const Convex& a, const Convex& b, double margin, PairCache& cache) {
+    const double radii = a.radius + b.radius, enough = margin + radii;
+    const Separation last = separate_again(a, b, cache.axis);
+    if (may_be_exact(a, b, last, enough, cache))
+        if (const auto m = collide_along(a, b, from(last), is_edge_pair(last.code), margin)) {
+            cache.direction = last.normal;
+            return *m;
+        }
+    const Witness w = polyhedra_witness(a, b, last, enough, cache);
+    const double gap = w.distance - radii;
+    if (gap > margin) return {.normal = w.normal, .distance = gap};
+    return manifold_of(contact_points(a, b, w, margin), w.normal, minimum(size_of(a), size_of(b)));
+}
+
+}  // namespace
+
 std::optional<Manifold> collide_apart(const Convex& a, const Convex& b, Vec3 normal,
                                       double distance, double margin) {
+    const auto along = collide_along(a, b, {normal, distance, {}, {}}, false, margin);
+    if (along) return along;
     PairCache none_yet;
     const auto w = apart_witness(a, b, normal, distance, margin, none_yet);
     if (!w) return std::nullopt;
@@ -171,6 +220,7 @@ std::optional<Manifold> collide_apart(const Convex& a, const Convex& b, Vec3 nor
 }
 
 Manifold collide_convex(const Convex& a, const Convex& b, double margin, PairCache& cache) {
+    if (is_polyhedron(a) && is_polyhedron(b)) return collide_polyhedra(a, b, margin, cache);
     const Witness w = find_witness(a, b, margin + a.radius + b.radius, cache);
     const double gap = w.distance - a.radius - b.radius;
     if (gap > margin) return {.normal = w.normal, .distance = gap};

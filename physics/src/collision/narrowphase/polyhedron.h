@@ -6,6 +6,7 @@
 
 #include <span>
 
+#include "jostle/base/check.h"
 #include "physics/src/foundation/uninitialized_array.h"
 #include "physics/src/geometry/hull_lanes.h"
 #include "physics/src/geometry/support.h"
@@ -40,6 +41,22 @@ Polyhedron polyhedron_of(const Convex& shape, PolyhedronParts& parts);
 
 // The index of the vertex furthest along d (any length). The first of equal ones wins.
 std::size_t furthest_vertex(const Polyhedron& shape, Vec3 d);
+
+// Calls visit(face, dot product of its normal with d) in ascending order, for all faces whose dot
+// product may be the largest up to 1e-6. `d` is a unit vector.
+template <class Visit>
+void for_each_face_along(const Polyhedron& shape, Vec3 d, Visit&& visit) {
+    const std::size_t count = shape.faces.size();
+    if (shape.lanes == nullptr) {
+        for (std::size_t k = 0; k < count; k++) visit(k, dot(shape.faces[k].normal, d));
+        return;
+    }
+    alignas(16) float along[2 * max_hull_vertices + 8];
+    ASSERT(count <= 2 * max_hull_vertices);
+    const float least = normals_along(*shape.lanes, d, along) - 1e-5f;
+    for (std::size_t k = 0; k < count; k++)
+        if (along[k] >= least) visit(k, dot(shape.faces[k].normal, d));
+}
 
 // The separation of balls along each normal of a shape, and along the best direction of each of its
 // normal arcs (see geometry/hull_lanes.h). `to` has space for 8 more values than there are and is

@@ -278,6 +278,10 @@ Separation in_world(const Convex& a, const Best& best) {
 
 }  // namespace
 
+bool is_edge_pair(AxisCode code) {
+    return kind_of(code) == edge_pair;
+}
+
 AxisCode axis_of_face(std::uint32_t face) {
     return face_of_a | face << 14;
 }
@@ -321,14 +325,18 @@ Separation separate_by_face(const Convex& a, const Convex& b, Vec3 direction) {
     PolyhedronParts parts_a, parts_b;
     Pair p;
     make_pair(p, a, b, parts_a, parts_b);
-    const auto max_along = [](std::span<const HullFace> faces, Vec3 d) {
+    const auto max_along = [](const Polyhedron& shape, Vec3 d) {
         std::uint32_t best = 0;
-        for (std::uint32_t f = 1; f < faces.size(); f++)
-            if (dot(faces[f].normal, d) > dot(faces[best].normal, d)) best = f;
+        double most = -2;
+        for_each_face_along(shape, d, [&](std::size_t face, double along) {
+            if (along <= most) return;
+            most = along;
+            best = static_cast<std::uint32_t>(face);
+        });
         return best;
     };
-    const Best of_a = face_axis_a(p, max_along(p.a.faces, transposed_times(a.axes, direction)));
-    const Best of_b = face_axis_b(p, max_along(p.b.faces, -transposed_times(b.axes, direction)));
+    const Best of_a = face_axis_a(p, max_along(p.a, transposed_times(a.axes, direction)));
+    const Best of_b = face_axis_b(p, max_along(p.b, -transposed_times(b.axes, direction)));
     return in_world(a, of_b.distance > of_a.distance ? of_b : of_a);
 }
 

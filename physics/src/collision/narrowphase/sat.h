@@ -18,6 +18,9 @@ using AxisCode = std::uint32_t;
 // The code of the axis of a face of the first shape, for callers that can guess the face.
 AxisCode axis_of_face(std::uint32_t face);
 
+// Whether the axis is perpendicular to two edges.
+bool is_edge_pair(AxisCode code);
+
 struct Separation {
     double distance = -1e300;  // m along the normal; negative for overlap
     Vec3 normal;               // unit, from a to b, in the frame of a and b

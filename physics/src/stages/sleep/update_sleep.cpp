@@ -84,6 +84,8 @@ Skipped update_sleep(StepContext& step) {
     find_awake_islands(world, scratch.islands);
     measure_rest(world.bodies, world.islands, scratch);
     // Splitting adds islands, which are measured in the next step.
+    std::vector<std::uint32_t>& to_split = scratch.to_split;
+    to_split.clear();
     std::uint32_t sleepiest = none;
     int awake = 0;
     for (const std::uint32_t i : scratch.islands) {
@@ -94,17 +96,18 @@ Skipped update_sleep(StepContext& step) {
             fall_asleep(world, i);
             awake--;
         } else if (world.islands.islands[i].may_be_split &&
-                   world.steps >= world.islands.islands[i].split_at + tuning::split_interval &&
-                   (sleepiest == none || scratch.longest[sleepiest] < scratch.longest[i])) {
-            sleepiest = i;
+                   world.steps >= world.islands.islands[i].split_at + tuning::split_interval) {
+            if (all_rest)
+                to_split.push_back(i);
+            else if (sleepiest == none || scratch.longest[sleepiest] < scratch.longest[i])
+                sleepiest = i;
         }
     }
-    // One split per step is enough: a resting part can wait a step, and splitting a moving pile
-    // would be wasted.
-    if (sleepiest != none)
-        split_island(world, sleepiest);
-    else
-        put_parts_to_sleep(step);
+    // All islands that rest are split, because they fall asleep in the next step. Of islands that
+    // partly move, one per step is enough: splitting a moving pile would be wasted.
+    if (to_split.empty() && sleepiest != none) to_split.push_back(sleepiest);
+    for (const std::uint32_t island : to_split) split_island(world, island);
+    if (to_split.empty()) put_parts_to_sleep(step);
     world.profile.islands_awake = awake;
     return ran;
 }

@@ -44,6 +44,46 @@ TEST(CollideConvex, separated_shapes_match_the_full_search) {
     EXPECT_GT(apart, 500);
 }
 
+// Hulls that move a little between two tests: the second one may use the axis of the first.
+TEST(CollideConvex, cached_axis_gives_the_gap_of_the_full_search) {
+    Random random(82);
+    int near_pairs = 0, along_axis = 0;
+    for (int round = 0; round < 4000; round++) {
+        const Geometry ga = random_geometry(ShapeKind::hull, random),
+                       gb = random_geometry(ShapeKind::hull, random);
+        const Quat turn_a = random.rotation(), turn_b = random.rotation();
+        const auto at = [&](Vec3 position, Quat rotation) {
+            return convex_of(transformed_shape(gb, {position, rotation}), {});
+        };
+        const Convex a = convex_of(transformed_shape(ga, {{}, turn_a}), {});
+        const Vec3 far = random.direction() * 5;
+        PairCache cache;
+        const Witness w = find_witness(a, at(far, turn_b), 1e300, cache);
+        if (w.distance <= 0) continue;
+        // From 2 mm in each other to 2 cm apart.
+        const Vec3 place = far - w.normal * (w.distance - random.in(-0.002, 0.02));
+        collide_convex(a, at(place, turn_b), 0.02, cache);
+        const AxisCode axis = cache.axis;
+        const Convex b = at(place + random.vector(0.002),
+                            normalized(from_rotation_vector(random.vector(0.005)) * turn_b));
+        const Manifold m = collide_convex(a, b, 0.02, cache);
+        PairCache fresh;
+        const Manifold whole = collide_convex(a, b, 0.02, fresh);
+        near_pairs++;
+        if (axis == cache.axis && axis != 0) along_axis++;
+        if ((m.count == 0) != (whole.count == 0)) {
+            EXPECT_NEAR(whole.distance, 0.02, 1e-6) << round;
+            continue;
+        }
+        if (whole.count == 0) continue;
+        // Apart, the gap is exact; overlapping, another axis may show less overlap.
+        const double tolerance = whole.distance > 0 ? 5e-5 : 2e-3 * 2;
+        EXPECT_NEAR(m.distance, whole.distance, tolerance) << round;
+    }
+    EXPECT_GT(near_pairs, 2000);
+    EXPECT_GT(along_axis, near_pairs / 2);
+}
+
 TEST(CollideConvex, returns_nothing_if_the_shapes_touch) {
     const Geometry box = Box{};
     const Convex a = convex_of(transformed_shape(box, {}), {}),

@@ -96,21 +96,23 @@ std::vector<std::uint32_t> coupled_islands(const BodySets& sets, const ContactSt
 }
 
 std::vector<std::uint32_t> few_coupled_islands(const BodySets& sets, const ContactStore& contacts,
-                                               std::uint32_t island, std::size_t max) {
+                                               std::uint32_t island, std::uint32_t max_bodies) {
     std::vector<std::uint32_t> coupled{island};
-    for (std::size_t k = 0; k < coupled.size(); k++) {
+    std::uint32_t bodies = sets.islands.islands[island].bodies;
+    for (std::size_t k = 0; k < coupled.size() && bodies <= max_bodies; k++)
         for_each_body(sets, coupled[k], [&](std::uint32_t body) {
             for_each_manifold(contacts, sets.bodies.cold[body], [&](std::uint32_t index) {
                 const Contact& c = contacts.contacts[index];
                 const std::uint32_t other =
                     sets.bodies.cold[c.body_a == body ? c.body_b : c.body_a].island;
-                if (other != none && coupled.size() <= max &&
-                    std::find(coupled.begin(), coupled.end(), other) == coupled.end())
-                    coupled.push_back(other);
+                if (other == none || bodies > max_bodies ||
+                    std::find(coupled.begin(), coupled.end(), other) != coupled.end())
+                    return;
+                coupled.push_back(other);
+                bodies += sets.islands.islands[other].bodies;
             });
         });
-        if (coupled.size() > max) return {};
-    }
+    if (bodies > max_bodies) coupled.clear();
     return coupled;
 }
 

@@ -16,10 +16,10 @@ namespace jostle::physics {
 // one colour set. Manifolds may couple islands that do not touch yet.
 std::vector<std::uint32_t> coupled_islands(const BodySets& sets, const ContactStore& contacts,
                                            std::uint32_t island);
-// The same if there are at most `max`, otherwise none, in time that is independent of the number of
-// islands.
+// The same if they have at most `max_bodies` bodies, otherwise none, in time that is independent of
+// the number of islands.
 std::vector<std::uint32_t> few_coupled_islands(const BodySets& sets, const ContactStore& contacts,
-                                               std::uint32_t island, std::size_t max);
+                                               std::uint32_t island, std::uint32_t max_bodies);
 
 // The same for all islands at once, in time that is independent of the number of queries. Valid
 // until a manifold begins or ends; sets may change.

@@ -106,33 +106,9 @@ SolverTier common_need(ContactGraph& stores, std::vector<IslandExtent>& extents,
     return slender > low ? SolverTier::slender : max_low;
 }
 
-// The coupled islands of one, in ascending order. Small groups are followed from island to island;
-// the groups of all islands are found once, for large ones.
-class CoupledGroups {
-public:
-    explicit CoupledGroups(const ContactGraph& stores) : stores_(stores) {}
-
-    // Valid until the next call.
-    std::span<const std::uint32_t> group_of(std::uint32_t island) {
-        constexpr std::size_t few = 32;
-        small_ = few_coupled_islands(stores_, stores_.contacts, island, few);
-        if (!small_.empty()) {
-            std::sort(small_.begin(), small_.end());
-            return small_;
-        }
-        if (!all_) all_.emplace(stores_);
-        return all_->group_of(island);
-    }
-
-private:
-    const ContactGraph& stores_;
-    std::vector<std::uint32_t> small_;
-    std::optional<CoupledIslands> all_;  // moves to other sets do not invalidate it
-};
-
 // Raises the tier immediately. Lowers it after all coupled islands have required less for a while.
 void choose_tier(ContactGraph& stores, JointStore& joints, std::vector<IslandExtent>& extents,
-                 CoupledGroups& groups, std::uint32_t index, Vec3 up) {
+                 std::optional<CoupledIslands>& all_coupled, std::uint32_t index, Vec3 up) {
     Island& island = stores.islands.islands[index];
     const SolverTier need = need_of(stores, extents, index, up);
     island.calm = need < island.colour_set.tier
@@ -140,7 +116,8 @@ void choose_tier(ContactGraph& stores, JointStore& joints, std::vector<IslandExt
                       : 0;
     if (need == island.colour_set.tier || extents[index].tier_chosen) return;
     if (need < island.colour_set.tier && island.calm < tuning::tier_patience) return;
-    const std::span<const std::uint32_t> coupled = groups.group_of(index);
+    if (!all_coupled) all_coupled.emplace(stores);
+    const std::span<const std::uint32_t> coupled = all_coupled->group_of(index);
     const SolverTier common = common_need(stores, extents, coupled, up);
     // Weighted by bodies: new bodies that keep falling onto a pile reset the counter of their own
     // islands.
@@ -168,12 +145,13 @@ bool have_different_masses(const BodyStore& bodies) {
 }
 
 // Finds the islands for SolverTier::direct.
-void find_direct_islands(ContactGraph& stores, IslandScratch& scratch, CoupledGroups& groups,
-                         Vec3 up) {
+void find_direct_islands(ContactGraph& stores, IslandScratch& scratch,
+                         std::optional<CoupledIslands>& all_coupled, Vec3 up) {
     if (stores.def.planar || !have_different_masses(stores.bodies)) return;
+    if (!all_coupled) all_coupled.emplace(stores);
     for (const std::uint32_t i : scratch.awake) {
         if (stores.islands.islands[i].bodies > tuning::max_group_bodies) continue;
-        const std::span<const std::uint32_t> coupled = groups.group_of(i);
+        const std::span<const std::uint32_t> coupled = all_coupled->group_of(i);
         if (coupled.front() != i || !may_be_solved_directly(stores, coupled) ||
             !mostly_stand(stores, coupled))
             continue;
@@ -186,10 +164,11 @@ void choose_tiers(ContactGraph& stores, JointStore& joints, IslandScratch& scrat
     const Vec3 up = -normalized(stores.def.gravity);
     find_awake_islands(stores, scratch.awake);
     measure_extents(stores.bodies, stores.islands, scratch, stores.def.gravity);
-    CoupledGroups groups(stores);
-    find_direct_islands(stores, scratch, groups, up);
+    std::optional<CoupledIslands>
+        coupled;  // built on first use; moves to other sets do not invalidate it
+    find_direct_islands(stores, scratch, coupled, up);
     for (const std::uint32_t i : scratch.awake)
-        choose_tier(stores, joints, scratch.extents, groups, i, up);
+        choose_tier(stores, joints, scratch.extents, coupled, i, up);
 }
 
 // ---- lost loads ----

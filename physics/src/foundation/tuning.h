@@ -260,7 +260,7 @@ inline constexpr double joint_push_spin = 8;    // rad/s
 // --- narrow phase ---
 // Overlap of two polyhedra, as a fraction of the size of the smaller one, up to which the axis of
 // the previous test is used again without a search for a better one.
-inline constexpr double trusted_overlap = 2e-3;
+inline constexpr double trusted_overlap = 5e-4;
 
 // --- continuous collision ---
 // A body is swept if one of its points may have moved further than this fraction of its thickness.

@@ -41,8 +41,10 @@ scenes::SceneDescription heavy() {
 }
 
 TEST(TickWatchdog, interrupts_a_slow_step_and_pauses_the_world) {
-    WorldDirectory worlds(
-        {.limits = {.scene = {.work_per_second_max = 1e12, .first_step_seconds_max = 600}}}, 2);
+    WorldDirectory worlds({.limits = {.scene = {.work_per_second_max = 1e12,
+                                                .pairs_per_shape_max = 0,
+                                                .first_step_seconds_max = 600}}},
+                          2);
     const auto slow = *worlds.create("", heavy());
     const auto other = *worlds.create("", *scenes::find_scene("stack"));
     const TickWatchdog watch(worlds, {.tick_cpu_max = 100ms});
@@ -62,8 +64,10 @@ TEST(TickWatchdog, interrupts_a_slow_step_and_pauses_the_world) {
 
 // The same step again: each pause is twice as long as the previous one.
 TEST(TickWatchdog, an_overloaded_world_resumes_by_itself_and_pauses_for_longer) {
-    WorldDirectory worlds(
-        {.limits = {.scene = {.work_per_second_max = 1e12, .first_step_seconds_max = 600}}}, 1);
+    WorldDirectory worlds({.limits = {.scene = {.work_per_second_max = 1e12,
+                                                .pairs_per_shape_max = 0,
+                                                .first_step_seconds_max = 600}}},
+                          1);
     const auto slow = *worlds.create("", heavy());
     const TickWatchdog watch(worlds, {.tick_cpu_max = 100ms});
     const auto paused_for = [&](const std::string& time) {
@@ -93,9 +97,10 @@ TEST(TickWatchdog, a_tick_that_waits_is_not_interrupted) {
 }
 
 TEST(TickWatchdog, stops_a_world_during_a_long_step) {
-    const auto slow = *WorldHost::start(
-        "w1", "slow", heavy(),
-        {.limits = {.scene = {.work_per_second_max = 1e12, .first_step_seconds_max = 600}}});
+    const auto slow = *WorldHost::start("w1", "slow", heavy(),
+                                        {.limits = {.scene = {.work_per_second_max = 1e12,
+                                                              .pairs_per_shape_max = 0,
+                                                              .first_step_seconds_max = 600}}});
     ASSERT_TRUE(
         wait_until([&] { return slow->lifecycle().running_tick(Clock::now()).has_value(); }));
     std::this_thread::sleep_for(100ms);

@@ -309,9 +309,8 @@ void WorldHost::log_step_warnings() {
     if (const Clock::time_point now = Clock::now(); skipped > 0 && now >= next_pairs_warning_) {
         next_pairs_warning_ = now + std::chrono::seconds(10);
         log_warn(
-            "world {} \"{}\": too many bodies overlap: {} pairs of shapes were skipped, these "
-            "bodies "
-            "pass through each other (scene.pairs_per_shape_max is {})",
+            "world {} \"{}\": {} overlapping pairs of shapes were skipped and pass through each "
+            "other (scene.pairs_per_shape_max is {})",
             id(), name(), skipped, settings_.limits.scene.pairs_per_shape_max);
     }
     for (const auto& entity : world_.newly_quarantined())

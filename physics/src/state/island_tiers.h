@@ -16,8 +16,8 @@ namespace jostle::physics {
 // one colour set. Manifolds may couple islands that do not touch yet.
 std::vector<std::uint32_t> coupled_islands(const BodySets& sets, const ContactStore& contacts,
                                            std::uint32_t island);
-// The same if they have at most `max_bodies` bodies, otherwise none, in time that is independent of
-// the number of islands.
+// The same if they have at most `max_bodies` bodies, otherwise none. The time depends on that
+// number only.
 std::vector<std::uint32_t> few_coupled_islands(const BodySets& sets, const ContactStore& contacts,
                                                std::uint32_t island, std::uint32_t max_bodies);
 

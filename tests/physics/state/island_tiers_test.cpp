@@ -87,6 +87,11 @@ TEST(IslandTiers, couplings_of_all_islands_match_those_of_each) {
         std::sort(alone.begin(), alone.end());
         const auto group = all.group_of(i);
         EXPECT_EQ(std::vector(group.begin(), group.end()), alone) << "island " << i;
+        const auto bodies = static_cast<std::uint32_t>(2 * alone.size());  // stacks of two
+        std::vector<std::uint32_t> few = few_coupled_islands(state, state.contacts, i, bodies);
+        std::sort(few.begin(), few.end());
+        EXPECT_EQ(few, alone) << "island " << i;
+        EXPECT_TRUE(few_coupled_islands(state, state.contacts, i, bodies - 1).empty());
         sizes.insert(alone.size());
     }
     EXPECT_GT(sizes.size(), 2u) << "some alone, some with one and some with two others";

@@ -18,11 +18,20 @@ inline bool had_contacts(const ContactScratch& scratch, const BodyCold& cold) {
     return cold.set == BodySet::sleeping || (cold.at < held.size() && held[cold.at] != 0);
 }
 
-// Returns whether the overload level leaves impacts between two dynamic bodies to the contact
-// solver, regardless of their speed.
+// Returns whether this step has had more sweeps than a crowd of flying bodies needs. Where dozens
+// of bodies overlap, each impact changes the candidates of all others, and the sweeps would not
+// end.
+inline bool exceeds_sweeps(const WorldState& world) {
+    return world.profile.sweeps >
+           tuning::min_sweep_limit +
+               tuning::sweeps_per_body * static_cast<int>(world.bodies.awake.size());
+}
+
+// Returns whether the overload level or the number of sweeps leaves impacts between two dynamic
+// bodies to the contact solver, regardless of their speed.
 inline bool left_to_contacts(const WorldState& world, const BodyCold& a, const BodyCold& b) {
-    return leaves_impacts_to_contacts(world.overload_level) && a.type == BodyType::dynamic &&
-           b.type == BodyType::dynamic;
+    return a.type == BodyType::dynamic && b.type == BodyType::dynamic &&
+           (leaves_impacts_to_contacts(world.overload_level) || exceeds_sweeps(world));
 }
 
 // The relative displacement in a step that needs no sweep, m. Two dynamic bodies are swept only if

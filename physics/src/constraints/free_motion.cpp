@@ -21,22 +21,25 @@ double damping_factor(double damping, double dt) {
 
 namespace {
 
-// I^-1 (w x I w), the term of Euler's equations that changes the spin of a free body, in its axes.
-struct BendOfAny {
-    const Mat3 &inertia, &inverse_inertia;
-    Vec3 operator()(Vec3 w) const { return inverse_inertia * cross(w, inertia * w); }
-};
-struct BendOfPrincipal {
-    const Vec3& factors;
-    Vec3 operator()(Vec3 w) const { return scaled(factors, {w.y * w.z, w.z * w.x, w.x * w.y}); }
-};
+// One step of Newton's method for end = begin - h bend(mean), where bend() is quadratic in the mean
+// of the two spins. Returns the correction of `end`.
+Vec3 midpoint_correction(Vec3 bend, Vec3 begin, Vec3 end, double h) {
+    const Vec3 m = (begin + end) * 0.5, c = bend * (0.5 * h);
+    const Vec3 residual = begin - end - scaled(bend, {m.y * m.z, m.z * m.x, m.x * m.y}) * h;
+    // Rows of the derivative.
+    const Vec3 x{1, c.x * m.z, c.x * m.y}, y{c.y * m.z, 1, c.y * m.x}, z{c.z * m.y, c.z * m.x, 1};
+    const Vec3 yz = cross(y, z);
+    const double determinant = dot(x, yz);
+    if (!(determinant > 0.1)) return residual;  // too fast for the most parts
+    return (yz * residual.x + cross(z, x) * residual.y + cross(x, y) * residual.z) *
+           (1 / determinant);
+}
 
 // The inertia is constant in the body's axes. The midpoint rule conserves energy and |L| and, with
-// the Cayley map for the rotation, L itself. Each iteration reduces the error by a factor of about
-// h |w|, however thin the body is, because no principal moment is less than the difference of the
-// other two.
-template <class Bend>
-EulerStep euler_step(const Bend& bend, Vec3 w, double dt) {
+// the Cayley map for the rotation, L itself. `h |w|` is at most a quarter, so the derivative is
+// regular, however thin the body is: no principal moment is less than the difference of the other
+// two.
+EulerStep principal_step(Vec3 bend, Vec3 w, double dt) {
     // A NaN spin uses one part; quarantine handles it after the step.
     const double estimated_parts = length(w) * absolute(dt) * 4;
     const int parts =
@@ -48,10 +51,10 @@ EulerStep euler_step(const Bend& bend, Vec3 w, double dt) {
         const Vec3 begin = result.w;
         Vec3 end = begin;
         for (int round = 0; round < 30; round++) {
-            const Vec3 next = begin - bend((begin + end) * 0.5) * h;
-            const bool converged = length_squared(next - end) <= 1e-30 * length_squared(next);
-            end = next;
-            if (converged) break;
+            const Vec3 correction = midpoint_correction(bend, begin, end, h);
+            end += correction;
+            // Each round squares the error.
+            if (length_squared(correction) <= 1e-16 * length_squared(end)) break;
         }
         const Vec3 half = (begin + end) * (0.25 * h);
         result.rotation = normalized(result.rotation * Quat{half.x, half.y, half.z, 1});
@@ -62,23 +65,17 @@ EulerStep euler_step(const Bend& bend, Vec3 w, double dt) {
 
 }  // namespace
 
-std::optional<PrincipalRatios> principal_ratios(const BodyCold& cold) {
-    const Mat3 &i = cold.inertia, &inverse = cold.inverse_inertia;
-    const bool diagonal =
-        i.x.y == 0 && i.x.z == 0 && i.y.x == 0 && i.y.z == 0 && i.z.x == 0 && i.z.y == 0;
-    if (!diagonal) return std::nullopt;
-    return PrincipalRatios{{(i.z.z - i.y.y) * inverse.x.x, (i.x.x - i.z.z) * inverse.y.y,
-                            (i.y.y - i.x.x) * inverse.z.z}};
-}
-
-EulerStep euler_step(const PrincipalRatios& bend, Vec3 w, double dt) {
-    return euler_step(BendOfPrincipal{bend.factors}, w, dt);
+Vec3 bend_of(const PrincipalAxes& axes) {
+    const Vec3& i = axes.moments;
+    return {(i.z - i.y) / i.x, (i.x - i.z) / i.y, (i.y - i.x) / i.z};
 }
 
 EulerStep euler_step(const BodyCold& cold, Vec3 w, double dt) {
-    if (const std::optional<PrincipalRatios> bend = principal_ratios(cold))
-        return euler_step(*bend, w, dt);
-    return euler_step(BendOfAny{cold.inertia, cold.inverse_inertia}, w, dt);
+    const PrincipalAxes& axes = cold.principal;
+    const Vec3 bend = bend_of(axes);
+    if (axes.frame == Quat{}) return principal_step(bend, w, dt);
+    const EulerStep own = principal_step(bend, inverse_rotate(axes.frame, w), dt);
+    return {axes.frame * own.rotation * conjugate(axes.frame), rotate(axes.frame, own.w)};
 }
 
 Vec3 rotation_vector_between(Quat from, Quat to, Vec3 expected) {

@@ -3,8 +3,6 @@
 // Motion of one body without contacts and joints, in double.
 #pragma once
 
-#include <optional>
-
 #include "physics/src/state/body_store.h"
 
 namespace jostle::physics {
@@ -30,13 +28,9 @@ struct EulerStep {
 };
 EulerStep euler_step(const BodyCold& cold, Vec3 w, double dt);
 
-// All inertia data that these equations need for a body whose axes are the principal axes: the
-// ratios (I3 - I2) / I1, (I1 - I3) / I2, (I2 - I1) / I3. Takes less than half the time.
-struct PrincipalRatios {
-    Vec3 factors;
-};
-std::optional<PrincipalRatios> principal_ratios(const BodyCold& cold);
-EulerStep euler_step(const PrincipalRatios& bend, Vec3 w, double dt);
+// The ratios (I3 - I2) / I1, (I1 - I3) / I2, (I2 - I1) / I3, all of the inertia that these
+// equations need in the principal axes.
+Vec3 bend_of(const PrincipalAxes& axes);
 
 // Returns whether a body with anisotropic inertia rotates by more than `turn` (rad) in dt. Its axes
 // at the start of the step are then not a valid approximation.

@@ -8,6 +8,7 @@
 
 #include "physics/src/constraints/body_kernel.h"
 #include "physics/src/constraints/contact_kernel.h"
+#include "physics/src/constraints/gyroscopic_kernel.h"
 #include "physics/src/constraints/joints/batch_kernel.h"
 #include "physics/src/constraints/joints/joint_kernel.h"
 #include "physics/src/constraints/kernels.h"
@@ -134,6 +135,9 @@ const Kernels table{
     .accelerate_first = accelerate_range<true>,
     .accelerate = accelerate_range<false>,
     .advance = advance_range,
+    .spin_freely = spin_freely_range,
+    .begin_gyroscopic = begin_gyroscopic_range,
+    .end_gyroscopic = end_gyroscopic_range,
     .warm_start_joints = warm_start_joint_range,
     .solve_joints = solve_joint_range<false, false>,
     .relax_joints = solve_joint_range<true, true>,

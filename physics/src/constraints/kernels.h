@@ -9,6 +9,7 @@
 
 #include "jostle/physics/instruction_set.h"
 #include "physics/src/constraint_graph/constraint_graph.h"
+#include "physics/src/constraint_graph/gyroscopic_wide.h"
 #include "physics/src/constraint_graph/joint_constraint_wide.h"
 #include "physics/src/constraint_graph/solver_body.h"
 #include "physics/src/constraints/contact_settings.h"
@@ -54,6 +55,7 @@ struct BatchView;  // constraints/joints/joint_batches.h
 
 using JointPass = void (*)(const JointRange&, SolverBody*, const JointStep&);
 using BatchKernel = void (*)(const BatchView&, SolverBody*, const JointStep&);
+using GyroscopicPass = void (*)(const GyroscopicRange&, SolverBody*, float h);
 using ContactPass = void (*)(const ContactRange&, SolverBody*, const ContactSettings&);
 
 struct Kernels {
@@ -65,6 +67,9 @@ struct Kernels {
     void (*accelerate_first)(const BodyRange&);
     void (*accelerate)(const BodyRange&);
     void (*advance)(const BodyRange&, float h);
+    // Euler's equations in a sub-step of h: for bodies without joints, and before and after the
+    // last pass over the points of joints.
+    GyroscopicPass spin_freely, begin_gyroscopic, end_gyroscopic;
     JointPass warm_start_joints, solve_joints, relax_joints;
     // Batches of directly solved groups. factor_batch reads the current poses; the others solve
     // velocities. solve_batch_again runs after contacts have changed the velocities.

@@ -15,6 +15,7 @@
 #include "jostle/physics/mat3.h"
 #include "physics/src/foundation/flat_array.h"
 #include "physics/src/foundation/id_pool.h"
+#include "physics/src/math/principal_axes.h"
 
 namespace jostle::physics {
 
@@ -44,6 +45,7 @@ struct BodyCold {
     Vec3 local_center;                           // centre of mass relative to the body's origin
     double radius = 0;        // distance of the furthest point from the centre of mass, m
     double inner_radius = 0;  // inner radius of its thinnest shape, m
+    PrincipalAxes principal;  // of the inertia; derived, not saved
     // True if the inertia is a multiple of the identity, so that it has no gyroscopic term and need
     // not be rotated. Never true for bodies with locks, which need the full matrix.
     bool isotropic = true;
@@ -108,7 +110,7 @@ inline Transform pose_of(const BodyWarm& warm, const BodyCold& cold) {
     return {warm.center - warm.axes * cold.local_center, warm.rotation};
 }
 
-// Computes the inverses of mass and inertia.
+// Computes the inverses of mass and inertia, and the principal axes.
 inline void invert_mass(BodyCold& cold) {
     ASSERT(cold.mass >= 0);
     cold.inverse_mass = cold.mass > 0 ? 1 / cold.mass : 0;
@@ -118,6 +120,7 @@ inline void invert_mass(BodyCold& cold) {
     else
         cold.inverse_inertia =
             spin > 0 ? diagonal(Vec3{1, 1, 1} * (1 / spin)) : diagonal({0, 0, 0});
+    cold.principal = principal_axes(cold.inertia);
 }
 
 // 1 for free and 0 for locked axes. Impulses along or about locked axes have no effect.

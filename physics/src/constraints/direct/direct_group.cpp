@@ -21,6 +21,8 @@ constexpr int max_spring_parts = 64, springs_followed = 8;
 constexpr int max_halvings = 6, max_steps = 1024;
 // Larger groups are not composed of halves and quarters, which take up to 20 steps.
 constexpr std::size_t max_quartered_joints = 32;
+// See may_take_fewer_steps.
+constexpr std::size_t min_large_joints = 24;
 // After this many sub-steps, a longer one is tried again.
 constexpr int steps_at_halvings = 4;
 // Suzuki's coefficients a, a, 1 - 4 a, a, a with a = 1 / (4 - 4^(1/3)).
@@ -193,6 +195,8 @@ void DirectGroup::advance(double dt, int substeps) {
     if (turn * longest_stage > followed_turn * parts) parts = 0;
     // Separated ends converge step by step, forward in time.
     if (parts > 0 && set_targets(dt / substeps)) parts = 0;
+    if (parts == 0 && may_take_fewer_steps && joints.size() >= min_large_joints && substeps > 4)
+        substeps = std::max(4, (substeps + 1) / 2);
     for (int part = 0; part < parts; part++) {
         const double h = dt / parts;
         save(0);

@@ -42,6 +42,9 @@ public:
     // Takes no shorter steps of its own accord, which could be those of twice as many sub-steps:
     // for estimating their error.
     bool is_trial = false;
+    // Takes half of the sub-steps, but at least four, if it is large and its steps are not
+    // composed: its errors are of second order and far smaller than those of contacts.
+    bool may_take_fewer_steps = false;
 
     // Counters since prepare(), for the profile and for tests.
     struct Count {
@@ -218,6 +221,7 @@ private:
     bool damped_springs_ = false;
     bool actuated_ = false;   // by motors or friction
     bool limited_ = false;    // some free axes have limits
+    bool bounded_ = false;    // limits, actuation or dampers change with the impulses
     bool locked_ = false;     // bodies have locked axes
     bool straight_ = false;   // bodies keep their spin instead of their angular momentum
     bool energy_ = false;     // the current step is an energy-momentum step

@@ -10,7 +10,7 @@ namespace {
 // Both bodies receive the force at one point, midway across the remaining gap between the ends. The
 // angular momentum of the pair is then conserved exactly, regardless of the gap.
 void write_ball(DirectJoint& j, Vec3 arm_a, Vec3 arm_b, Vec3 apart) {
-    const Vec3 a = arm_a + apart * 0.5, b = arm_b - apart * 0.5;
+    const Vec3 a = j.lever_a = arm_a + apart * 0.5, b = j.lever_b = arm_b - apart * 0.5;
     j.angular_a[0] = {0, -a.z, a.y};
     j.angular_a[1] = {a.z, 0, -a.x};
     j.angular_a[2] = {-a.y, a.x, 0};

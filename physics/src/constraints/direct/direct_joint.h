@@ -34,6 +34,8 @@ struct DirectJoint {
     int first_free_axis() const { return points + turns; }
     bool is_ball() const { return kind == Points::ball; }
     bool is_gear() const { return kind == Points::gear; }
+    // Whether its point is all that it holds.
+    bool is_ball_alone() const { return is_ball() && count == 3; }
     // Whether a row's error is in metres; otherwise it is in radians.
     bool is_linear(int row) const {
         return row < points ||
@@ -58,6 +60,8 @@ struct DirectJoint {
 
     // At the current state of the two bodies.
     Vec3 apart;  // from a's end to b's end, m
+    // Of a ball joint: from the centres to the point where both bodies receive the force, m.
+    Vec3 lever_a, lever_b;
     // Not used by ball joints, whose rows are the world axes.
     Vec3 linear[max_rows];
     Vec3 angular_a[max_rows], angular_b[max_rows];

@@ -70,6 +70,7 @@ void DirectGroup::list_what_acts() {
         }
     }
     damped_ |= damped_springs_;
+    bounded_ = limited_ || actuated_ || damped_springs_;
     smooth_ = !damped_ && !limited_ && !actuated_;
     // A spring's rate refers to its own two bodies. With several springs on a body, the sum of
     // squares bounds the rate.
@@ -143,6 +144,27 @@ bool DirectGroup::find_pattern(std::int64_t max_work) {
 
 // ---- the values ----
 
+namespace {
+
+// Adds the response of a body of two ball joints, or of one, to their block.
+void add_ball_block(const JointSystemBlock& c, const DirectJoint& later, const DirectJoint& sooner,
+                    const Mat3& turned, Vec3 mass, double* block) {
+    const Vec3 r = c.later_b ? later.lever_b : -later.lever_a;
+    const Vec3 s = c.sooner_b ? sooner.lever_b : -sooner.lever_a;
+    // Rows of I^-1 [r]x^T, that is, its columns times the axes of the world.
+    const Vec3 rows[] = {turned.y * r.z - turned.z * r.y, turned.z * r.x - turned.x * r.z,
+                         turned.x * r.y - turned.y * r.x};
+    for (int i = 0; i < 3; i++) {
+        const Vec3 y = rows[i];
+        block[3 * i] += y.y * s.z - y.z * s.y;
+        block[3 * i + 1] += y.z * s.x - y.x * s.z;
+        block[3 * i + 2] += y.x * s.y - y.y * s.x;
+        block[4 * i] += mass[i];
+    }
+}
+
+}  // namespace
+
 // `linear`: factor of the inverse masses; `response`: replaces the inverse inertia.
 void DirectGroup::assemble(double linear, const Mat3 DirectBody::*response) {
     matrix_.clear();
@@ -156,6 +178,12 @@ void DirectGroup::assemble(double linear, const Mat3 DirectBody::*response) {
         ASSERT(n >= 1 && m >= 1);
         double* const block = values + c.at;
         const Mat3& turned = body.*response;
+        if (later.is_ball_alone() && sooner.is_ball_alone()) {
+            add_ball_block(c, later, sooner, turned,
+                           body.inverse_masses * (c.later_b == c.sooner_b ? linear : -linear),
+                           block);
+            continue;
+        }
         for (int i = 0; i < m; i++) {
             const Vec3 y = turned * rows[i];
             for (int k = 0; k < n; k++) block[i * n + k] += dot(y, columns[k]);

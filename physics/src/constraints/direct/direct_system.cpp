@@ -70,6 +70,13 @@ void DirectGroup::push(const DirectJoint& joint, const double* impulse) {
     if (joint.is_gear()) return push_gear(joint, impulse[0]);
     DirectBody &a = bodies[as_index(joint.a)], &b = bodies[as_index(joint.b)];
     const Vec3 linear = pull_of(joint, impulse);
+    if (joint.is_ball_alone()) {
+        a.p -= linear;
+        a.l += cross(linear, joint.lever_a);
+        b.p += linear;
+        b.l += cross(joint.lever_b, linear);
+        return;
+    }
     Vec3 about_a, about_b;
     for (int k = 0; k < joint.rows(); k++) {
         about_a += joint.angular_a[k] * impulse[k];
@@ -177,6 +184,11 @@ namespace {
 
 void rate(const DirectJoint& joint, Vec3 va, Vec3 wa, Vec3 vb, Vec3 wb, double* to) {
     const Vec3 v = vb - va;
+    if (joint.is_ball_alone()) {
+        const Vec3 all = v + (cross(joint.lever_a, wa) + cross(wb, joint.lever_b));
+        to[0] = all.x, to[1] = all.y, to[2] = all.z;
+        return;
+    }
     for (int k = 0; k < joint.rows(); k++)
         to[k] = dot(joint.angular_a[k], wa) + dot(joint.angular_b[k], wb);
     if (joint.is_ball())
@@ -219,7 +231,7 @@ void DirectGroup::project_velocities(double h, double bias, bool save_forces) {
             for (std::size_t w = 0; w < joint.free_axes.size(); w++)
                 if (joint.free_axes[w].at_limit == 0 && !joint.free_axes[w].is_held())
                     joint.force[as_index(joint.first_free_axis()) + w] = 0;
-            if (smooth_ || round >= bound_rounds) continue;
+            if (!bounded_ || round >= bound_rounds) continue;
             if (enforce_bounds(joint, joint.force, 0.5, 0.5 * h, true)) changed = true;
         }
         if (!changed) break;

@@ -78,14 +78,14 @@ bool DirectGroup::step_rattle(double h, double tolerance) {
     if (damped_springs_) damp_springs();
     kick(h, false);
     set_targets(h);
-    if (!smooth_) {
+    if (bounded_) {
         previous_guess_.clear();
         for (const DirectBody& body : bodies)
             previous_guess_.push_back(body.p), previous_guess_.push_back(body.l);
     }
     for (int round = 0;; round++) {
         if (!solve_positions(h, tolerance)) return false;
-        if (smooth_ || round == bound_rounds) break;
+        if (!bounded_ || round == bound_rounds) break;
         for (std::size_t k = 0; k < bodies.size(); k++)
             bodies[k].p = previous_guess_[2 * k], bodies[k].l = previous_guess_[2 * k + 1];
         bool changed = reach_limits(h, 0.5 * h);

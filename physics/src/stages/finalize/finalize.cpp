@@ -13,12 +13,10 @@ namespace {
 
 FreeMotion motion_of(const SolverScratch& solver, std::size_t hot_index, const BodyWarm& warm) {
     const SolverBody& hot = solver.hot[hot_index];
-    const SpinAxes axes = solver.spin_axes[hot_index];
-    if (axes == SpinAxes::world_by_substeps)
-        return {to_vec3(hot.dp), solver.gyroscopic[hot_index].now, to_vec3(hot.v), to_vec3(hot.w)};
     const Quat turn = from_rotation_vector(to_vec3(hot.dr));
     return {to_vec3(hot.dp), normalized(turn * warm.rotation), to_vec3(hot.v),
-            axes == SpinAxes::body ? rotate(turn, to_vec3(hot.w)) : to_vec3(hot.w)};
+            solver.spin_axes[hot_index] == SpinAxes::body ? rotate(turn, to_vec3(hot.w))
+                                                          : to_vec3(hot.w)};
 }
 
 }  // namespace

@@ -3,7 +3,6 @@
 
 #include <array>
 #include <cstdint>
-#include <optional>
 #include <vector>
 
 #include "jostle/base/check.h"
@@ -30,12 +29,7 @@ bool prepare_spin(SolverScratch& scratch, const BodyWarm& warm, const BodyCold& 
     scratch.spin_axes[hot_index] = !gyroscopic ? SpinAxes::world
                                    : touched   ? SpinAxes::body
                                                : SpinAxes::world_by_substeps;
-    if (!gyroscopic) return false;
-    const std::optional<PrincipalRatios> bend = principal_ratios(cold);
-    scratch.gyroscopic[hot_index] = {
-        warm.axes,       warm.rotation, warm.rotation, {}, bend ? bend->factors : Vec3{},
-        bend.has_value()};
-    return true;
+    return gyroscopic;
 }
 
 void put_mass(SolverBody& hot, const BodyCold& cold, const Mat3& inverse_inertia) {

@@ -13,8 +13,8 @@
 namespace jostle::physics {
 
 // Writes the solver records of one body by its hot index, at the start of a step, for different
-// bodies in parallel: SolverScratch::hot, external and spin_axes, and
-// `gyroscopic` for a gyroscopic body. `h`: length of a sub-step, s; unused for kinematic bodies.
+// bodies in parallel: SolverScratch::hot, external and spin_axes. `h`: length of a sub-step, s;
+// unused for kinematic bodies.
 void prepare_body(const StepContext& step, double h, std::uint32_t hot_index);
 
 // Writes an inverse inertia, 1/(kg m^2).

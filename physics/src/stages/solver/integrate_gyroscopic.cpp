@@ -1,84 +1,82 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/stages/solver/integrate_gyroscopic.h"
 
-#include "jostle/base/check.h"
+#include <functional>
 #include "physics/src/constraints/free_motion.h"
-#include "physics/src/stages/solver/gather_bodies.h"
+#include "physics/src/constraints/kernels.h"
+#include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/step_scratch.h"
 
 namespace jostle::physics {
 namespace {
 
-const BodyCold& cold_of(const BodyStore& bodies, std::uint32_t hot_index) {
-    ASSERT(hot_index > 0 && hot_index <= bodies.awake.size());
-    return bodies.cold[bodies.awake[hot_index - 1].body];
-}
-
-EulerStep euler_step_of(const BodyStore& bodies, const GyroscopicBody& g, std::uint32_t hot_index,
-                        Vec3 start, double h) {
-    return g.principal ? euler_step(PrincipalRatios{g.bend}, start, h)
-                       : euler_step(cold_of(bodies, hot_index), start, h);
-}
-
-// The change is not an impulse, so it is also added to the motion without contacts.
-void add_spin(SolverBody& hot, Vec3 change) {
+void write_body(const StepContext& step, std::uint32_t hot_index, GyroscopicWide& block, int lane) {
+    const SolverScratch& scratch = step.scratch.solver;
+    const BodyWarm& warm = step.world.bodies.awake[hot_index - 1];
+    const PrincipalAxes& axes = step.world.bodies.cold[warm.body].principal;
+    const Vec3 bend = bend_of(axes),
+               inverse{1 / axes.moments.x, 1 / axes.moments.y, 1 / axes.moments.z};
+    const Quat frame = warm.rotation * axes.frame;
+    block.hot[lane] = static_cast<std::int32_t>(hot_index);
+    const bool by_substeps = scratch.spin_axes[hot_index] == SpinAxes::world_by_substeps;
+    block.by_substeps[lane] = by_substeps ? 1 : 0;
+    const double at[] = {frame.x, frame.y, frame.z, frame.w};
+    for (int k = 0; k < 4; k++) block.principal[k][lane] = as_float(at[k]);
     for (int k = 0; k < 3; k++) {
-        hot.w[k] += as_float(change[k]);
-        hot.free[3 + k] += as_float(change[k]);
+        block.bend[k][lane] = as_float(bend[k]);
+        block.inverse_moments[k][lane] = as_float(inverse[k]);
     }
 }
 
-void integrate_without_joints(const BodyStore& bodies, SolverScratch& scratch,
-                              std::uint32_t hot_index, double h) {
-    SolverBody& hot = scratch.hot[hot_index];
-    const GyroscopicBody& g = scratch.gyroscopic[hot_index];
-    const Vec3 start = transposed_times(g.axes, to_vec3(hot.w));
-    add_spin(hot, g.axes * (euler_step_of(bodies, g, hot_index, start, h).w - start));
+void write_blocks(StepContext& step, const std::vector<std::uint32_t>& hot,
+                  std::vector<GyroscopicWide>& blocks) {
+    constexpr std::size_t lanes = 8;
+    blocks.resize((hot.size() + lanes - 1) / lanes);
+    step.thread_pool.run(
+        static_cast<int>(blocks.size()), tuning::body_grain / 8, [&](int begin, int end) {
+            for (int k = begin; k < end; k++) {
+                GyroscopicWide& block = blocks[static_cast<std::size_t>(k)];
+                block = {};
+                for (float(&row)[8] : {std::ref(block.principal[3]), std::ref(block.turned[3])})
+                    for (float& w : row) w = 1;
+                for (std::size_t lane = 0; lane < lanes; lane++) {
+                    const std::size_t at = static_cast<std::size_t>(k) * lanes + lane;
+                    if (at < hot.size()) write_body(step, hot[at], block, static_cast<int>(lane));
+                }
+            }
+        });
 }
 
-// The second half of begin_gyroscopic(): the joints have constrained the mean spin, which rotates
-// the body to its exact pose.
-void integrate_with_joints(const BodyStore& bodies, SolverScratch& scratch, std::uint32_t hot_index,
-                           double h) {
-    SolverBody& hot = scratch.hot[hot_index];
-    GyroscopicBody& g = scratch.gyroscopic[hot_index];
-    const Vec3 mean = to_vec3(hot.w), own = transposed_times(g.axes, mean);
-    g.now = normalized(g.now * from_rotation_vector(own * h));
-    if (scratch.spin_axes[hot_index] == SpinAxes::world_by_substeps) {
-        g.axes = to_matrix(g.now);
-        put_inertia(hot, g.axes * cold_of(bodies, hot_index).inverse_inertia * transpose(g.axes));
-    }
-    const Vec3 w = g.axes * (own + g.half_change);
-    const Vec3 turn = rotation_vector_between(g.start, g.now, to_vec3(hot.dr) + mean * h) - w * h;
-    for (int k = 0; k < 3; k++) hot.dr[k] = as_float(turn[k]);
-    add_spin(hot, w - mean);
+void run(StepContext& step, GyroscopicPass pass, std::vector<GyroscopicWide>& blocks, double h) {
+    step.thread_pool.run(
+        static_cast<int>(blocks.size()), tuning::body_grain / 8, [&](int begin, int end) {
+            pass({blocks.data(), begin, end}, step.scratch.solver.hot.data(), as_float(h));
+        });
 }
 
 }  // namespace
 
-void begin_gyroscopic(StepContext& step, std::span<const std::uint32_t> jointed, double h) {
-    SolverScratch& scratch = step.scratch.solver;
-    for (const std::uint32_t index : jointed) {
-        if (scratch.spin_axes[index] == SpinAxes::world) continue;
-        SolverBody& hot = scratch.hot[index];
-        GyroscopicBody& g = scratch.gyroscopic[index];
-        const Vec3 start = transposed_times(g.axes, to_vec3(hot.w));
-        const EulerStep change = euler_step_of(step.world.bodies, g, index, start, h);
-        g.half_change = (change.w - start) * 0.5;
-        add_spin(hot, g.axes * g.half_change);
-    }
-}
-
-void integrate_gyroscopic(StepContext& step, std::span<const std::uint32_t> bodies, double h) {
-    SolverScratch& scratch = step.scratch.solver;
+void find_gyroscopic(StepContext& step, std::span<const std::uint32_t> bodies,
+                     GyroscopicBodies& found) {
+    const SolverScratch& scratch = step.scratch.solver;
     const BodyStore& store = step.world.bodies;
+    for (std::vector<std::uint32_t>& list : found.hot) list.clear();
     for (const std::uint32_t index : bodies) {
         if (scratch.spin_axes[index] == SpinAxes::world) continue;
-        if (cold_of(store, index).first_joint != none)
-            integrate_with_joints(store, scratch, index, h);
-        else
-            integrate_without_joints(store, scratch, index, h);
+        const BodyCold& cold = store.cold[store.awake[index - 1].body];
+        found.hot[cold.first_joint != none ? 0 : 1].push_back(index);
     }
+    write_blocks(step, found.hot[0], found.jointed);
+    write_blocks(step, found.hot[1], found.others);
+}
+
+void begin_gyroscopic(StepContext& step, GyroscopicBodies& bodies, double h) {
+    run(step, kernels().begin_gyroscopic, bodies.jointed, h);
+}
+
+void end_gyroscopic(StepContext& step, GyroscopicBodies& bodies, double h) {
+    run(step, kernels().end_gyroscopic, bodies.jointed, h);
+    run(step, kernels().spin_freely, bodies.others, h);
 }
 
 }  // namespace jostle::physics

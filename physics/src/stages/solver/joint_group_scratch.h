@@ -10,8 +10,8 @@
 #include "jostle/physics/ids.h"
 #include "physics/src/constraint_graph/joint_solver_preferences.h"
 #include "physics/src/constraints/direct/direct_group.h"
-#include "physics/src/constraints/direct/principal_axes.h"
 #include "physics/src/constraints/free_motion.h"
+#include "physics/src/math/principal_axes.h"
 
 namespace jostle::physics {
 
@@ -21,7 +21,6 @@ struct JointGroup {
     DirectGroup solver;
     std::vector<std::uint32_t> joints;  // in ascending order
     std::vector<std::uint32_t> bodies;  // by number in the group: body index
-    std::vector<Mat3> inertias;         // the inertias that `axes` belong to
     std::vector<PrincipalAxes> axes;
     int substeps = 0;
 };

@@ -165,13 +165,7 @@ void gather_body(const StepContext& step, JointGroup& group, std::size_t k) {
     }
     ASSERT(cold.set == BodySet::awake);
     const bool turns_freely = locked_turns(cold) == 0;
-    if (!turns_freely) {
-        group.axes[k] = axes_of_locked(warm, cold);
-        group.inertias[k] = diagonal({-1, -1, -1});
-    } else if (!(group.inertias[k] == cold.inertia)) {
-        group.inertias[k] = cold.inertia;
-        group.axes[k] = principal_axes(cold.inertia);
-    }
+    group.axes[k] = turns_freely ? cold.principal : axes_of_locked(warm, cold);
     const PrincipalAxes& axes = group.axes[k];
     body.pushed = true;
     body.mass = cold.mass;
@@ -323,8 +317,8 @@ bool gather(StepContext& step, std::uint32_t island, std::int64_t budget) {
         return false;
     list_bodies(world.joints, group, scratch.number_of);
     group.substeps = step.contacts[index_of(world.islands.islands[island].colour_set)].substeps;
-    group.inertias.resize(group.bodies.size(), diagonal({-1, -1, -1}));
     group.axes.resize(group.bodies.size());
+    group.solver.may_take_fewer_steps = !controls_error(world.def);
     group.solver.bodies.resize(group.bodies.size());
     group.solver.joints.resize(group.joints.size());
     for (std::size_t k = 0; k < group.bodies.size(); k++) gather_body(step, group, k);

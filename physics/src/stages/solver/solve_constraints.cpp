@@ -17,7 +17,6 @@ void resize_records(const BodyStore& bodies, SolverScratch& scratch) {
     const std::size_t count = bodies.awake.size() + 1;
     scratch.hot.resize(count);
     scratch.external.resize(count);
-    scratch.gyroscopic.resize(count);
     scratch.spin_axes.assign(count, SpinAxes::world);
     // Bodies that sleep in place do not move, and impulses cannot move them.
     if (bodies.asleep_in_place == 0) return;

@@ -109,6 +109,7 @@ void run_substeps(StepContext& step, const SolverTask& task, const ContactSettin
     const bool bounces = begin_restitution(contacts);
     const bool listened = has_substep_listeners(step.world.listeners);
     const std::vector<std::uint32_t>& in_fields = scratch.in_fields[task.first];
+    GyroscopicBodies& gyroscopic = scratch.gyroscopic[task.first];
     for (int n = 0; n < set.substeps; n++) {
         const bool first = n == 0, last = n + 1 == set.substeps;
         if (!first && is_stopped(step)) break;
@@ -124,11 +125,11 @@ void run_substeps(StepContext& step, const SolverTask& task, const ContactSettin
         solve_joints(step, joints, h);
         solve_joint_batches(step, joints, h, false);
         passes.solve();
-        begin_gyroscopic(step, joints.bodies, h);
+        begin_gyroscopic(step, gyroscopic, h);
         solve_joint_batches(step, joints, h, true);
         hold_limited_groups(step, joints, h);
+        end_gyroscopic(step, gyroscopic, h);
         each_body(step, task, [&](std::span<const std::uint32_t> some) {
-            integrate_gyroscopic(step, some, h);
             kernel.advance(range_of(scratch, some), set.h);
         });
         kernel.advance(range_of(scratch, kinematic), set.h);
@@ -159,6 +160,7 @@ void solve_with(StepContext& step, const SolverTask& task, const ContactSettings
         for (const std::uint32_t hot : bodies) prepare_body(step, h, hot);
     });
     for (const std::uint32_t hot : kinematic) prepare_body(step, 0, hot);
+    find_gyroscopic(step, scratch.bodies.of(task.first, task.last), scratch.gyroscopic[task.first]);
     scratch.in_fields[task.first].clear();
     if (!world.fields.empty())
         find_in_fields(step, scratch.bodies.of(task.first, task.last),

@@ -16,6 +16,7 @@
 #include "jostle/physics/mat3.h"
 #include "jostle/physics/quat.h"
 #include "physics/src/constraint_graph/constraint_graph.h"
+#include "physics/src/constraint_graph/gyroscopic_wide.h"
 #include "physics/src/constraint_graph/joint_levels.h"
 #include "physics/src/constraint_graph/solver_body.h"
 #include "physics/src/constraints/contact_group/contact_group.h"
@@ -39,13 +40,10 @@ enum class SpinAxes : std::uint8_t {
     body,
 };
 
-// Sub-step data of a body that rotates far in a step at a varying rate.
-struct GyroscopicBody {
-    Mat3 axes;         // of the body: at the start of the step; with world_by_substeps: current
-    Quat start, now;   // rotation; now: only for bodies with joints
-    Vec3 half_change;  // rad/s, in body axes: per sub-step, for bodies with joints
-    Vec3 bend;         // PrincipalRatios, if its axes are the principal axes
-    bool principal = false;
+// The gyroscopic bodies of a task: those whose spin axes are not `world`.
+struct GyroscopicBodies {
+    std::vector<GyroscopicWide> jointed, others;
+    std::vector<std::uint32_t> hot[2];  // scratch memory
 };
 
 // Hot indices of bodies, grouped by colour set.
@@ -100,8 +98,8 @@ struct SolverScratch {
     std::array<ContactGroups, solved_set_count> contact_groups;  // of tasks of SolverTier::direct
     std::vector<std::uint32_t> unsolved;  // a body of each group without a solution
     JointGroupScratch groups;
-    std::vector<SpinAxes> spin_axes;         // indexed by hot index
-    std::vector<GyroscopicBody> gyroscopic;  // by hot index; valid if spin_axes is not world
+    std::vector<SpinAxes> spin_axes;                            // indexed by hot index
+    std::array<GyroscopicBodies, solved_set_count> gyroscopic;  // by the first set of a task
     // Groups of bodies for which sub-step listeners are called: by the first set; of free bodies.
     std::array<ListenedGroup, solved_set_count> listened;
     std::vector<ListenedGroup> listened_free;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "physics/src/constraints/direct/principal_axes.h"
+#include "physics/src/math/principal_axes.h"
 
 #include <gtest/gtest.h>
 

@@ -26,9 +26,15 @@ void DirectGroup::factor_here() {
 // ---- forces and damping ----
 
 void DirectGroup::damp(double time) {
+    // Most bodies have the same damping.
+    double damping = 0, factor = 1;
+    const auto factor_of = [&](double of_body) {
+        if (of_body != damping) damping = of_body, factor = damping_factor(damping, time);
+        return factor;
+    };
     for (DirectBody& body : bodies) {
-        if (body.linear_damping != 0) body.p *= damping_factor(body.linear_damping, time);
-        if (body.angular_damping != 0) body.l *= damping_factor(body.angular_damping, time);
+        if (body.linear_damping != 0) body.p *= factor_of(body.linear_damping);
+        if (body.angular_damping != 0) body.l *= factor_of(body.angular_damping);
     }
 }
 

@@ -23,15 +23,28 @@ Quat turn_by(Vec3 r) {
 
 namespace {
 
+// Along an axis of the rotated frame.
 double component(Quat q, Vec3 v, int axis) {
-    const Mat3 m = to_matrix(q);
-    return dot(axis == 0 ? m.x : (axis == 1 ? m.y : m.z), v);
+    const double x2 = q.x + q.x, y2 = q.y + q.y, z2 = q.z + q.z;
+    if (axis == 0)
+        return dot({1 - q.y * y2 - q.z * z2, q.x * y2 + q.w * z2, q.x * z2 - q.w * y2}, v);
+    if (axis == 1)
+        return dot({q.x * y2 - q.w * z2, 1 - q.x * x2 - q.z * z2, q.y * z2 + q.w * x2}, v);
+    return dot({q.x * z2 + q.w * y2, q.y * z2 - q.w * x2, 1 - q.x * x2 - q.y * y2}, v);
 }
 
-Quat about(int axis, double angle) {
-    Vec3 r;
-    r[axis] = angle;
-    return turn_by(r);
+// q times the rotation about one of its axes.
+Quat turned_about(Quat q, int axis, double angle) {
+    const Quat turn = turn_by({angle, 0, 0});
+    const double sine = turn.x, cosine = turn.w;
+    if (axis == 0)
+        return {q.w * sine + q.x * cosine, q.y * cosine + q.z * sine, q.z * cosine - q.y * sine,
+                q.w * cosine - q.x * sine};
+    if (axis == 1)
+        return {q.x * cosine - q.z * sine, q.w * sine + q.y * cosine, q.x * sine + q.z * cosine,
+                q.w * cosine - q.y * sine};
+    return {q.x * cosine + q.y * sine, q.y * cosine - q.x * sine, q.w * sine + q.z * cosine,
+            q.w * cosine - q.z * sine};
 }
 
 // The axis whose two other moments are most similar.
@@ -57,10 +70,10 @@ Quat free_turn(Quat q, Vec3 momentum, Vec3 inverse_moments, double h) {
     ASSERT(inverse.x >= 0 && inverse.y >= 0 && inverse.z >= 0);
     const int i = (top + 1) % 3, j = (top + 2) % 3;
     const double uneven = inverse[j] - inverse[i];
-    if (uneven != 0) q = q * about(j, 0.5 * h * uneven * component(q, momentum, j));
+    if (uneven != 0) q = turned_about(q, j, 0.5 * h * uneven * component(q, momentum, j));
     const double along = (inverse[top] - inverse[i]) * component(q, momentum, top);
-    q = turn_by(momentum * (h * inverse[i])) * (q * about(top, h * along));
-    if (uneven != 0) q = q * about(j, 0.5 * h * uneven * component(q, momentum, j));
+    q = turn_by(momentum * (h * inverse[i])) * turned_about(q, top, h * along);
+    if (uneven != 0) q = turned_about(q, j, 0.5 * h * uneven * component(q, momentum, j));
     return nearly_unit(q);
 }
 

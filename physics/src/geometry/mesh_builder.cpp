@@ -175,6 +175,23 @@ void find_neighbours(TriangleMesh& mesh, const std::vector<std::uint32_t>& slot)
     }
 }
 
+void find_folds(TriangleMesh& mesh) {
+    mesh.folds.resize(mesh.triangles.size());
+    ASSERT(mesh.neighbours.size() == mesh.triangles.size());
+    for (std::uint32_t index = 0; index < mesh.triangles.size(); index++) {
+        const SurfaceTriangle t = triangle_of(mesh, index);
+        const Vec3 front = normal_of(t);
+        for (int k = 0; k < 3; k++) {
+            const std::uint32_t other = mesh.neighbours[index][static_cast<std::size_t>(k)];
+            mesh.folds[index][static_cast<std::size_t>(k)] =
+                other == no_triangle ? no_neighbour_fold
+                                     : fold_at(t.corner[k], t.corner[(k + 1) % 3], front,
+                                               opposite_corner(triangle_of(mesh, other),
+                                                               t.corner[k], t.corner[(k + 1) % 3]));
+        }
+    }
+}
+
 std::uint64_t hash_of(const TriangleMesh& mesh) {
     Hasher hasher;
     hasher.add(mesh.vertices.size());
@@ -228,6 +245,7 @@ Result<std::shared_ptr<const TriangleMesh>> build_mesh(
             maximum(mesh->weld_gap, length(mesh->vertices[v] - mesh->vertices[slot[v]]));
     drop_repeated_triangles(*mesh, boxes, slot);
     find_neighbours(*mesh, slot);
+    find_folds(*mesh);
     mesh->tree = std::make_shared<const Bvh>(boxes);
     ASSERT(boxes.size() == mesh->triangles.size() && mesh->neighbours.size() == boxes.size());
     mesh->content_hash = hash_of(*mesh);

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/geometry/surface.h"
 
+#include <algorithm>
+
 #include "jostle/base/check.h"
 
 namespace jostle::physics {
@@ -77,6 +79,54 @@ SurfaceEdge edge_of(const Geometry& surface, const SurfaceTriangle& t, int k) {
     Vec3 normal = normalized(cross(off, along));
     if (length_squared(cross(off, along)) == 0) normal = own;
     return {.border = false, .normal = normal, .fold = dot(own, far - from), .reach = reach};
+}
+
+Vec3 opposite_corner(const SurfaceTriangle& triangle, Vec3 from, Vec3 to) {
+    Vec3 far;
+    double furthest = -1;
+    for (const Vec3 c : triangle.corner) {
+        const double off = length_squared(cross(c - from, to - from));
+        if (off > furthest) furthest = off, far = c;
+    }
+    return far;
+}
+
+float fold_at(Vec3 from, Vec3 to, Vec3 front, Vec3 far) {
+    const Vec3 outward = normalized(cross(to - from, front)), off = far - from;
+    const double up = dot(off, front), out = dot(off, outward);
+    // The neighbour's plane descends by `down` over `out`; half of an angle of up to 180 degrees.
+    const double down = -up;
+    const double tangent = down / (out + square_root(out * out + down * down));
+    return tangent == tangent ? static_cast<float>(tangent) : 0;
+}
+
+namespace {
+
+// The corner of the triangle across edge k that is opposite the edge: see across().
+Vec3 opposite_corner(const HeightGrid& grid, std::uint32_t index, int k) {
+    static constexpr int step[2][3][2] = {{{0, 1}, {2, 1}, {0, -1}}, {{-1, 0}, {1, 2}, {1, 0}}};
+    const std::uint32_t cell = index / 2, c = cell % (grid.columns - 1),
+                        r = cell / (grid.columns - 1);
+    const int(&to)[2] = step[index % 2][k];
+    return sample(grid, c + static_cast<std::uint32_t>(to[0]),
+                  r + static_cast<std::uint32_t>(to[1]));
+}
+
+}  // namespace
+
+SurfaceFolds folds_of(const Geometry& surface, const SurfaceTriangle& t, Vec3 front) {
+    SurfaceFolds folds;
+    if (const auto* mesh = std::get_if<Mesh>(&surface)) {
+        std::copy_n(mesh->data->folds[t.index].data(), 3, folds.at);
+        return folds;
+    }
+    const HeightGrid& grid = *std::get<HeightField>(surface).data;
+    for (int k = 0; k < 3; k++)
+        folds.at[k] = neighbour_of(surface, t.index, k) == no_triangle
+                          ? no_neighbour_fold
+                          : fold_at(t.corner[k], t.corner[(k + 1) % 3], front,
+                                    opposite_corner(grid, t.index, k));
+    return folds;
 }
 
 CellRange cells_under(const HeightGrid& grid, const Aabb& box) {

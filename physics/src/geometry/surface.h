@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <limits>
 
 #include "jostle/base/check.h"
 #include "jostle/physics/aabb.h"
@@ -43,6 +44,20 @@ SurfaceTriangle triangle_of(const Geometry& surface, std::uint32_t index);
 // Edge k runs from corner k to corner k + 1. Returns the triangle across it, or no_triangle.
 std::uint32_t neighbour_of(const Geometry& surface, std::uint32_t index, int k);
 SurfaceEdge edge_of(const Geometry& surface, const SurfaceTriangle& triangle, int k);
+
+// How much the surface turns at the edges of a triangle, whose normal is `front`: see
+// TriangleMesh::folds. Computed for height fields, stored for meshes.
+struct SurfaceFolds {
+    float at[3];
+};
+inline constexpr float no_neighbour_fold = std::numeric_limits<float>::infinity();
+SurfaceFolds folds_of(const Geometry& surface, const SurfaceTriangle& triangle, Vec3 front);
+// The corner of a triangle that is furthest from the line through two points. The other two may be
+// up to the welding distance away from the corners of a neighbour.
+Vec3 opposite_corner(const SurfaceTriangle& triangle, Vec3 from, Vec3 to);
+// At an edge between two points of a triangle with the normal `front`; `far` is the neighbour's
+// corner opposite the edge.
+float fold_at(Vec3 from, Vec3 to, Vec3 front, Vec3 far);
 
 inline bool is_hole(const HeightGrid& grid, std::size_t cell) {
     ASSERT(grid.holes.empty() || cell < grid.holes.size());

@@ -3,12 +3,16 @@
 
 #include <algorithm>
 #include <optional>
+#include <span>
 
 #include "jostle/base/check.h"
 #include "physics/src/collision/narrowphase/collide_convex.h"
+#include "physics/src/collision/narrowphase/face_clip.h"
 #include "physics/src/collision/narrowphase/gjk.h"
+#include "physics/src/collision/narrowphase/sat.h"
 #include "physics/src/collision/narrowphase/seams.h"
 #include "physics/src/collision/narrowphase/triangle.h"
+#include "physics/src/collision/narrowphase/triangle_lanes.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/geometry/hull_lanes.h"
 #include "physics/src/geometry/shape_measures.h"
@@ -22,8 +26,20 @@ struct Patch {
     Vec3 normal;  // from the triangle to the shape
     double deepest = 1e300;
     std::uint32_t triangle = 0;
-    ContactPoints points;
+    int first = 0, count = 0;  // in SurfacePair::points_
+    Vec3 corner[3];            // relative to the shape's position
+};
+
+// A triangle seen from the side of the shape.
+struct TriangleSide {
+    const SurfaceTriangle& triangle;
     Vec3 corner[3];  // relative to the shape's position
+    double side;     // 1: from the front, -1: from the back
+    Vec3 face;       // unit normal on that side
+    // In the plane, perpendicular to edge k, with its length.
+    Vec3 outward[3];
+    // Tangent of half the angle of a ridge, 0 or less for other edges, huge for a border.
+    double ridge[3];
 };
 
 // A triangle that is closer to the shape than its contact points show: its seam does not allow the
@@ -150,6 +166,7 @@ public:
             box_ = {max(box_.low, reach.low), min(box_.high, reach.high)};
         }
         box_ = {box_.low + origin_, box_.high + origin_};
+        clip_.emplace(shape_, margin);
         ASSERT(!(margin_ < 0) && !(shape_.radius < 0));
         size_ = size_of(shape_);
         if (const auto* mesh = std::get_if<Mesh>(surface.geometry))
@@ -178,7 +195,13 @@ public:
 
     // Returns whether a neighbour covers a contact.
     bool collide(std::vector<Manifold>& out) {
-        for_each_triangle(*surface_.geometry, box_, [&](const SurfaceTriangle& t) { add(t); });
+        TriangleFilter filter(shape_, shape_.radius + margin_);
+        const auto add_near = [&](const SurfaceTriangle& t) { add(t); };
+        for_each_triangle(*surface_.geometry, box_, [&](const SurfaceTriangle& t) {
+            filter.put(t, origin_);
+            if (filter.full()) filter.flush(add_near);
+        });
+        filter.flush(add_near);
         add_uncovered_triangles();
         // Deepest first: the normal of a piece is the normal of its deepest triangle.
         std::sort(patches_.begin(), patches_.end(), [](const Patch& x, const Patch& y) {
@@ -187,13 +210,13 @@ public:
         std::vector<bool> used(patches_.size(), false);
         for (std::size_t i = 0; i < patches_.size(); i++) {
             if (used[i]) continue;
-            const Vec3 ground = on_ground(patches_[i], 0);
-            ContactPoints sum = patches_[i].points;
+            const Vec3 ground = on_ground(points_of(patches_[i])[0], patches_[i].normal);
+            ContactPoints sum;
+            for (const GapPoint& p : points_of(patches_[i])) merge(sum, p.point, p.gap);
             for (std::size_t j = i + 1; j < patches_.size(); j++) {
                 if (used[j] || !continues(patches_[i].normal, ground, patches_[j])) continue;
                 used[j] = true;
-                for (int k = 0; k < patches_[j].points.count; k++)
-                    merge(sum, patches_[j].points.point[k], patches_[j].points.gap[k]);
+                for (const GapPoint& p : points_of(patches_[j])) merge(sum, p.point, p.gap);
             }
             Manifold m = manifold_of(sum, patches_[i].normal, size_);
             m.normal = surface_.axes * m.normal;
@@ -218,16 +241,21 @@ private:
         return dot(support(shape_, -n) - middle_, n) + motion > shape_.radius;
     }
 
+    std::span<const GapPoint> points_of(const Patch& patch) const {
+        return std::span(points_).subspan(static_cast<std::size_t>(patch.first),
+                                          static_cast<std::size_t>(patch.count));
+    }
     // The position of a contact point on its triangle.
-    static Vec3 on_ground(const Patch& patch, int k) {
-        return patch.points.point[k] - patch.normal * (0.5 * patch.points.gap[k]);
+    static Vec3 on_ground(const GapPoint& p, Vec3 normal) {
+        return p.point - normal * (0.5 * p.gap);
     }
     // Only coplanar patches are merged into one manifold. On curved ground four points cannot
     // represent the rest, and the best four change in every step.
     bool continues(Vec3 normal, Vec3 ground, const Patch& next) const {
         if (dot(normal, next.normal) < tuning::same_piece) return false;
-        for (int k = 0; k < next.points.count; k++)
-            if (absolute(dot(on_ground(next, k) - ground, normal)) > tuning::even_ground * size_)
+        for (const GapPoint& p : points_of(next))
+            if (absolute(dot(on_ground(p, next.normal) - ground, normal)) >
+                tuning::even_ground * size_)
                 return false;
         return true;
     }
@@ -265,30 +293,142 @@ private:
                                 t.corner[2] - origin_};
         if (shape_.core == Core::point && add_below_point(t, corner)) return;
         const Vec3 front = normal_of(t);
-        // Fast rejection: the shape does not reach the plane.
-        const double reach = shape_.radius + margin_;
-        const Vec3 low = support(shape_, -front), high = support(shape_, front);
-        const double above = dot(low - corner[0], front), below = dot(corner[0] - high, front);
-        if (above > reach || below > reach) return;
-        if (exceeds_reach(above, front) || exceeds_reach(below, -front)) return;
-        // Fast rejection: the shape is separated along the direction from the closest point to its
-        // centre.
-        const Vec3 on_triangle = nearest_on_triangle(corner, middle_);
-        if (const double motion = length(middle_ - on_triangle); motion > 0) {
-            const Vec3 n = (middle_ - on_triangle) * (1 / motion);
-            const double apart = dot(support(shape_, -n) - on_triangle, n);
-            if (apart > reach || exceeds_reach(apart, n)) return;
+        const double height = dot(middle_ - corner[0], front);
+        const Vec3 face = height < 0 ? -front : front;
+        const Vec3 low = support(shape_, -face);
+        const double gap = dot(low - corner[0], face);
+        if (gap > shape_.radius + margin_ || exceeds_reach(gap, face)) return;
+        if (motion_ && exceeds_reach_of_middle(corner)) return;
+        TriangleSide side{t, {corner[0], corner[1], corner[2]}, height < 0 ? -1.0 : 1.0, face, {},
+                          {}};
+        const SurfaceFolds folds = folds_of(*surface_.geometry, t, front);
+        for (int k = 0; k < 3; k++) {
+            side.outward[k] = cross(corner[(k + 1) % 3] - corner[k], front);
+            const float fold = folds.at[k];
+            side.ridge[k] = fold == no_neighbour_fold ? 1e300 : side.side * double{fold};
         }
+        if (add_over_face(side, low, gap, absolute(height))) return;
+        if (belongs_to_neighbours(side, low, gap)) {
+            add_face_points(side, false);
+            return;
+        }
+        add_by_witness(t, corner, side, low);
+    }
+
+    // Returns whether the motion of the shape keeps it out of reach of a triangle in the direction
+    // from the closest point to its centre.
+    bool exceeds_reach_of_middle(const Vec3 corner[3]) const {
+        const Vec3 to = middle_ - nearest_on_triangle(corner, middle_);
+        const double distance = length(to);
+        if (distance <= 0) return false;
+        const Vec3 n = to * (1 / distance);
+        return exceeds_reach(dot(support(shape_, -n) - middle_, n) + distance, n);
+    }
+
+    // A ridge that turns by less than this is a gentle one: 20 degrees.
+    static constexpr double gentle_ridge = 0.1763;
+    // An edge that turns by less than this is flat.
+    static constexpr double flat_fold = 0.5e-4;
+
+    // A shape that lies above a triangle, or overlaps it by little, where the face normal is the
+    // only one that the triangle allows. `low` is the point of its core nearest to the plane, `gap`
+    // its distance, `height` that of the shape's centre. Returns false if the normal is not
+    // evident.
+    bool add_over_face(const TriangleSide& t, Vec3 low, double gap, double height) {
+        const bool polyhedron = is_polyhedron(shape_);
+        double inset = 0;
+        if (gap <= 0) {
+            if (!polyhedron || gap < -0.05 * size_ || height < -2 * gap) return false;
+            inset = -4 * gap;
+        }
+        bool inside = true, beyond_ridge = false;
+        for (int k = 0; k < 3; k++) {
+            const double beyond = dot(low - t.corner[k], t.outward[k]);
+            if (beyond <= 0 &&
+                (inset == 0 || beyond * beyond >= inset * inset * length_squared(t.outward[k])))
+                continue;
+            inside = false;
+            beyond_ridge = beyond_ridge || t.ridge[k] >= flat_fold;
+        }
+        if (inside) {
+            add_face_points(t, true, low, gap);
+            return true;
+        }
+        if (beyond_ridge || gap < -slack() || !seams_.empty()) return false;
+        add_face_points(t, false);
+        return true;
+    }
+
+    // Returns whether no normal that the triangle allows is the direction of the shortest distance.
+    // The allowed ones form a cone: a neighbour across a gentle ridge allows those that are nearer
+    // to its normal. A lower bound s of the distance is the separation along any direction. For a
+    // point v of the shape, a point t of the triangle and a unit vector q, the separation along a
+    // unit vector d is at most d . (v - t). If d . (v - t - s q) < 0 for the rays of the cone, it
+    // is less than s for all d in the cone.
+    bool belongs_to_neighbours(const TriangleSide& t, Vec3 low, double gap) const {
+        if (!seams_.empty()) return false;
+        Vec3 limit[3];
+        double furthest = 0;
+        int edge = -1;
+        for (int k = 0; k < 3; k++) {
+            if (!(absolute(t.ridge[k]) <= gentle_ridge)) return false;
+            limit[k] = t.outward[k];
+            if (t.ridge[k] < flat_fold) continue;
+            const double width = length(t.outward[k]);
+            limit[k] -= t.face * (width * t.ridge[k]);
+            const double beyond = dot(low - t.corner[k], t.outward[k]);
+            if (beyond > furthest * width) furthest = beyond / width, edge = k;
+        }
+        Vec3 ray[3];
+        for (int k = 0; k < 3; k++) ray[k] = cross(limit[k], limit[(k + 1) % 3]) * t.side;
+        const auto is_below = [&](Vec3 off) {
+            return dot(ray[0], off) < 0 && dot(ray[1], off) < 0 && dot(ray[2], off) < 0;
+        };
+        if (gap < 0 && is_below(low - nearest_on_triangle(t.corner, low))) return true;
+        if (edge < 0) return false;
+        // The separation along the normal of the neighbour.
+        const Vec3 half =
+            normalized(t.face + t.outward[edge] * (t.ridge[edge] / length(t.outward[edge])));
+        const Vec3 n = half * (2 * dot(half, t.face)) - t.face;
+        const Vec3 lowest = support(shape_, -n);
+        const double distance = dot(lowest - t.corner[edge], n);
+        return is_below(lowest - nearest_on_triangle(t.corner, lowest) -
+                        half * maximum(0, distance));
+    }
+
+    // Adds the points of the shape over the face. If the shape's nearest point is among them, it is
+    // `low`, at the distance `gap` of its core.
+    void add_face_points(const TriangleSide& t, bool over_low, Vec3 low = {}, double gap = 0) {
+        Patch patch{.normal = t.face, .triangle = t.triangle.index};
+        patch.first = static_cast<int>(points_.size());
+        double deepest = 1e300;
+        for (const GapPoint& p : clip_->over(t.corner, t.face, t.outward)) {
+            deepest = minimum(deepest, p.gap);
+            points_.push_back(p);
+        }
+        if (over_low) {
+            // Round features may lack the nearest point.
+            const double lost = 5e-5 * minimum(size_, length(t.corner[1] - t.corner[0]));
+            const double nearest = gap - shape_.radius;
+            if (deepest > nearest + lost * (1 + 1e-6) && nearest <= margin_)
+                points_.push_back({low - t.face * (0.5 * (gap + shape_.radius)), nearest});
+        } else {
+            drop_outside(patch.first, t.face);
+        }
+        add_patch(patch, t.corner);
+    }
+
+    void add_by_witness(const SurfaceTriangle& t, const Vec3 corner[3], const TriangleSide& seen,
+                        Vec3 low) {
+        const double reach = shape_.radius + margin_;
         const Convex triangle = triangle_convex(corner, {}, {});
-        // A face axis is usually the best: code 0 is the front, code 1 the back.
-        PairCache cache{.axis = axis_of_face(dot(middle_ - corner[0], front) < 0 ? 1 : 0),
-                        .direction = {}};
-        const Witness w = find_witness(triangle, shape_, reach, cache);
+        const Witness w = witness_of(triangle, seen, low, reach);
         ASSERT(is_unit(w.normal, 1e-5));
         if (w.distance > reach || exceeds_reach(w.distance, w.normal)) return;
         const double side = is_behind(t, corner, w) ? -1 : 1;
-        const Vec3 face = front * side;
-        Patch patch{.normal = w.normal, .triangle = t.index, .points = {}};
+        const Vec3 face = seen.face * (seen.side * side);
+        Patch patch{.normal = w.normal, .triangle = t.index};
+        patch.first = static_cast<int>(points_.size());
         const bool allowed =
             may_act(*surface_.geometry, t, face, side, w.on_a + origin_, w.normal, edge_slack_);
         const std::optional<Vec3> cover =
@@ -297,21 +437,22 @@ private:
             covered_ = true;
             if (dot(*cover, face) < tuning::same_piece) return;
             patch.normal = face;
-            patch.points = points_over_face(triangle, shape_, face, margin_);
+            put(clip_->over(corner, face, seen.outward));
         } else if (allowed) {
-            patch.points = contact_points(triangle, shape_, w, margin_);
+            put(contact_points(triangle, shape_, w, margin_));
         } else {
             patch.normal = face;
-            patch.points = points_over_face(triangle, shape_, face, margin_);
-            drop_outside(patch.points, face);
+            put(clip_->over(corner, face, seen.outward));
+            drop_outside(patch.first, face);
             double nearest = 1e300;
-            for (int k = 0; k < patch.points.count; k++)
-                nearest = minimum(nearest, patch.points.gap[k]);
+            for (std::size_t k = static_cast<std::size_t>(patch.first); k < points_.size(); k++)
+                nearest = minimum(nearest, points_[k].gap);
             if (nearest > gap_of(w) + slack() && w.distance > 0) {
                 // Cores are apart: the point acts if no other triangle is nearer, as on a peak.
                 if (is_nearest(t, nearest_on_triangle(corner, w.on_a), w.normal)) {
                     patch.normal = w.normal;
-                    patch.points = contact_points(triangle, shape_, w, margin_);
+                    points_.resize(static_cast<std::size_t>(patch.first));
+                    put(contact_points(triangle, shape_, w, margin_));
                 }
             } else if (nearest > gap_of(w) + slack()) {
                 held_.push_back({{corner[0], corner[1], corner[2]},
@@ -321,7 +462,44 @@ private:
                                  dot(w.normal, face) <= 0});
             }
         }
-        if (patch.points.count > 0) add_patch(patch, corner);
+        add_patch(patch, corner);
+    }
+    void put(std::span<const GapPoint> points) {
+        points_.insert(points_.end(), points.begin(), points.end());
+    }
+    void put(const ContactPoints& points) {
+        for (int k = 0; k < points.count; k++) points_.push_back({points.point[k], points.gap[k]});
+    }
+
+    // Closest points first: most triangles are apart. The axes matter only for the overlapping
+    // ones.
+    Witness witness_of(const Convex& triangle, const TriangleSide& seen, Vec3 low,
+                       double reach) const {
+        if (!is_polyhedron(shape_)) {
+            PairCache cache{.axis = 0, .direction = seen.face};
+            return find_witness(triangle, shape_, reach, cache);
+        }
+        const double tie = 2e-5 * minimum(size_of(triangle), size_);
+        const Vec3 at = nearest_on_triangle(triangle.corner, low), to = low - at;
+        const double upper = length(to);
+        if (upper > tie) {
+            const Vec3 n = to * (1 / upper);
+            const double lower =
+                dot(support(shape_, -n), n) -
+                maximum(dot(triangle.corner[0], n),
+                        maximum(dot(triangle.corner[1], n), dot(triangle.corner[2], n)));
+            if (lower > reach) return {n, lower, at, low};
+            if (lower >= upper * (1 - 1e-9)) return {n, upper, at, low};
+        }
+        const GjkResult g = gjk(triangle, shape_, to, {.beyond = reach});
+        if (g.distance > reach) return {g.normal, g.distance, g.on_a, g.on_b};
+        if (g.distance > 0) {
+            const Separation flat = separate_by_face(triangle, shape_, g.normal);
+            if (g.distance > flat.distance + tie) return {g.normal, g.distance, g.on_a, g.on_b};
+            return {flat.normal, flat.distance, g.on_a, g.on_b};
+        }
+        const Separation s = separate(triangle, shape_, axis_of_face(seen.side < 0 ? 1 : 0), reach);
+        return {s.normal, s.distance, s.on_a, s.on_b};
     }
 
     // The normal of a neighbour that covers the contact with a triangle at a point of its edge: of
@@ -364,10 +542,9 @@ private:
                 return true;
             }
         }
-        Patch patch{.normal = n, .triangle = t.index, .points = {}};
-        patch.points.count = 1;
-        patch.points.point[0] = (at + middle_ - n * shape_.radius) * 0.5;
-        patch.points.gap[0] = distance - shape_.radius;
+        Patch patch{.normal = n, .triangle = t.index};
+        patch.first = static_cast<int>(points_.size());
+        points_.push_back({(at + middle_ - n * shape_.radius) * 0.5, distance - shape_.radius});
         add_patch(patch, corner);
         return true;
     }
@@ -432,27 +609,28 @@ private:
 
     // Drops points of a shape that is below the face without reaching up to it, for example a plank
     // under the edge of a table. Such a shape does not penetrate the face.
-    void drop_outside(ContactPoints& points, Vec3 face) const {
-        int retained = 0;
-        for (int k = 0; k < points.count; k++) {
+    void drop_outside(int first, Vec3 face) {
+        auto retained = static_cast<std::size_t>(first);
+        for (std::size_t k = retained; k < points_.size(); k++) {
+            const GapPoint p = points_[k];
             // Contact points are midway between the surfaces. The point on the face is half the gap
             // away.
-            const Convex above{.core = Core::point,
-                               .position = points.point[k] - face * (0.5 * points.gap[k]),
-                               .size = {}};
-            if (points.gap[k] < -0.02 * size_ &&
+            const Convex above{
+                .core = Core::point, .position = p.point - face * (0.5 * p.gap), .size = {}};
+            if (p.gap < -0.02 * size_ &&
                 gjk(above, shape_, face).distance > shape_.radius + slack())
                 continue;
-            points.point[retained] = points.point[k];
-            points.gap[retained++] = points.gap[k];
+            points_[retained++] = p;
         }
-        points.count = retained;
+        points_.resize(retained);
     }
 
+    // Adds a patch of the points that were appended after its first one, if there are any.
     void add_patch(Patch& patch, const Vec3 corner[3]) {
+        patch.count = static_cast<int>(points_.size()) - patch.first;
+        if (patch.count == 0) return;
         std::copy(corner, corner + 3, patch.corner);
-        for (int k = 0; k < patch.points.count; k++)
-            patch.deepest = minimum(patch.deepest, patch.points.gap[k]);
+        for (const GapPoint& p : points_of(patch)) patch.deepest = minimum(patch.deepest, p.gap);
         patches_.push_back(patch);
     }
 
@@ -541,10 +719,11 @@ private:
                     next = &w;
             if (next == nullptr) return;
             next->covered = true;
-            Patch patch{.normal = next->witness.normal, .triangle = next->triangle, .points = {}};
-            patch.points = contact_points(triangle_convex(next->corner, {}, {}), shape_,
-                                          next->witness, margin_);
-            if (patch.points.count == 0) continue;
+            Patch patch{.normal = next->witness.normal, .triangle = next->triangle};
+            patch.first = static_cast<int>(points_.size());
+            put(contact_points(triangle_convex(next->corner, {}, {}), shape_, next->witness,
+                               margin_));
+            if (static_cast<int>(points_.size()) == patch.first) continue;
             add_patch(patch, next->corner);
             cover(next->corner, patches_.back().deepest);
         }
@@ -564,7 +743,9 @@ private:
     int seam_tests_ = 0;    // of triangles that may cover a contact at an open edge
     Vec3 exit_direction_;   // zero until computed
     std::optional<ShapeMotion> motion_;
+    std::optional<FaceClip> clip_;
     std::vector<Patch> patches_;
+    std::vector<GapPoint> points_;
     std::vector<HeldTriangle> held_;
 };
 

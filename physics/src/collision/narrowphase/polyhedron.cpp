@@ -8,9 +8,6 @@
 namespace jostle::physics {
 namespace {
 
-// Corner k of a box has +x if bit 0 is set, +y for bit 1, +z for bit 2. Faces: -x +x -y +y -z +z.
-constexpr std::uint16_t box_loops[24] = {0, 4, 6, 2, 1, 3, 7, 5, 0, 1, 5, 4,
-                                         2, 6, 7, 3, 0, 2, 3, 1, 4, 5, 7, 6};
 constexpr HullEdge box_edges[12] = {{0, 4, 0, 2}, {4, 6, 0, 5}, {6, 2, 0, 3}, {2, 0, 0, 4},
                                     {1, 3, 1, 4}, {3, 7, 1, 3}, {7, 5, 1, 5}, {5, 1, 1, 2},
                                     {0, 1, 2, 4}, {5, 4, 2, 5}, {6, 7, 3, 5}, {3, 2, 3, 4}};
@@ -23,9 +20,7 @@ constexpr HullEdge triangle_edges[6] = {{0, 1, 0, 2}, {1, 2, 0, 3}, {2, 0, 0, 4}
 
 Polyhedron box_of(Vec3 h, PolyhedronParts& parts) {
     ASSERT(h.x > 0 && h.y > 0 && h.z > 0);
-    for (int k = 0; k < 8; k++)
-        parts.vertices[k] = {(k & 1) != 0 ? h.x : -h.x, (k & 2) != 0 ? h.y : -h.y,
-                             (k & 4) != 0 ? h.z : -h.z};
+    for (int k = 0; k < 8; k++) parts.vertices[k] = box_corner(h, k);
     for (int f = 0; f < 6; f++) {
         Vec3 n;
         n[f / 2] = f % 2 == 0 ? -1 : 1;

@@ -30,6 +30,15 @@ struct Polyhedron {
     }
 };
 
+// The faces of a box, in the order -x, +x, -y, +y, -z, +z: four corners each, counter-clockwise
+// seen from outside. Corner k has +x if bit 0 is set, +y for bit 1, +z for bit 2.
+inline constexpr std::uint16_t box_loops[24] = {0, 4, 6, 2, 1, 3, 7, 5, 0, 1, 5, 4,
+                                                2, 6, 7, 3, 0, 2, 3, 1, 4, 5, 7, 6};
+inline Vec3 box_corner(Vec3 half_extents, int k) {
+    const Vec3 h = half_extents;
+    return {(k & 1) != 0 ? h.x : -h.x, (k & 2) != 0 ? h.y : -h.y, (k & 4) != 0 ? h.z : -h.z};
+}
+
 // Storage for the parts that a box or a triangle does not store itself.
 struct PolyhedronParts {
     UninitializedArray<Vec3, 8> vertices;

@@ -38,8 +38,8 @@ struct TriangleSide {
     Vec3 face;       // unit normal on that side
     // In the plane, perpendicular to edge k, with its length.
     Vec3 outward[3];
-    // Tangent of half the angle of a ridge, 0 or less for other edges, huge for a border.
-    double ridge[3];
+    SurfaceFolds folds;
+    double ridge[3];  // see ridge_of()
 };
 
 // A triangle that is closer to the shape than its contact points show: its seam does not allow the
@@ -47,25 +47,36 @@ struct TriangleSide {
 struct HeldTriangle {
     Vec3 corner[3];  // relative to the shape's position
     Witness witness;
-    Vec3 nearest;  // on the triangle; the witness of flat features need not lie on both
+    Vec3 nearest;  // on the triangle; the witness of flat features need not lie on
+                   // both
     std::uint32_t triangle = 0;
-    bool through =
-        false;  // the shortest exit is to the other side: used only if no other triangle pushes
+    bool through = false;  // the shortest exit is to the other side: used only if
+                           // no other triangle pushes
     bool covered = false;
 };
 
+// An edge that turns by less than this is flat. Twice the tangent of half the angle: 1e-4 rad.
+constexpr double flat_ridge = 0.5e-4;
+// An edge without a neighbour: infinity would produce NaN.
+constexpr double border_ridge = 1e300;
+
+// The ridge that the shape meets at an edge: see TriangleMesh::folds. `side`: 1 for a shape in
+// front of the triangle, -1 for one behind it.
+double ridge_of(const SurfaceFolds& folds, int k, double side) {
+    ASSERT(side == 1 || side == -1);
+    return folds.at[k] == no_neighbour_fold ? border_ridge : side * double{folds.at[k]};
+}
+
 // Returns whether an edge allows a contact normal n. `outward` lies in the triangle's plane; `face`
 // is its normal on the shape's side.
-bool edge_allows(const SurfaceEdge& edge, Vec3 face, double side, Vec3 outward, Vec3 n,
-                 double slack) {
+bool edge_allows(double ridge, Vec3 face, Vec3 outward, Vec3 n, double slack) {
     const double up = dot(n, face), out = dot(n, outward);
-    ASSERT(side == 1 || side == -1);
     if (out < -slack) return false;  // leans inward: the face itself pushes
-    if (edge.border) return up > -slack;
-    if (edge.fold * side > -1e-4 * edge.reach) return out < slack;  // flat or concave
+    if (ridge == border_ridge) return up > -slack;
+    if (ridge < flat_ridge) return out < slack;  // flat or concave
     // Convex fold: any direction between the normals of the two faces is allowed.
-    const Vec3 other = edge.normal * side;
-    const double other_up = dot(other, face), other_out = dot(other, outward);
+    const double square = ridge * ridge, other_up = (1 - square) / (1 + square),
+                 other_out = 2 * ridge / (1 + square);
     return out * other_up - up * other_out < slack;  // sine of the angle beyond the other normal
 }
 
@@ -86,20 +97,21 @@ bool for_each_edge_at(const SurfaceTriangle& t, Vec3 front, Vec3 at, Visit&& vis
 }
 
 // Returns whether the point `at` of a triangle is on an edge without a neighbour.
-bool is_on_border(const Geometry& surface, const SurfaceTriangle& t, Vec3 at) {
-    return !for_each_edge_at(t, normal_of(t), at,
-                             [&](int k, Vec3) { return !edge_of(surface, t, k).border; });
+bool is_on_border(const SurfaceTriangle& t, const SurfaceFolds& folds, Vec3 at) {
+    const auto is_border = [&](int k) { return folds.at[k] == no_neighbour_fold; };
+    if (!is_border(0) && !is_border(1) && !is_border(2)) return false;
+    return !for_each_edge_at(t, normal_of(t), at, [&](int k, Vec3) { return !is_border(k); });
 }
 
 // Returns whether the contact normal n is allowed at the point `at` of the triangle.
-bool may_act(const Geometry& surface, const SurfaceTriangle& t, Vec3 face, double side, Vec3 at,
+bool may_act(const SurfaceTriangle& t, const SurfaceFolds& folds, Vec3 face, double side, Vec3 at,
              Vec3 n, double slack) {
     if (dot(n, face) > facing) return true;
     ASSERT(is_unit(face, 1e-5) && is_unit(n, 1e-5));
     bool on_edge = false;
     const bool allowed = for_each_edge_at(t, face * side, at, [&](int k, Vec3 outward) {
         on_edge = true;
-        return edge_allows(edge_of(surface, t, k), face, side, outward, n, slack);
+        return edge_allows(ridge_of(folds, k, side), face, outward, n, slack);
     });
     return on_edge && allowed;
 }
@@ -142,17 +154,22 @@ public:
         return left > minimum(length(cross(turn_, n)) * furthest_, furthest_ - extent);
     }
 
+    void limit(TriangleFilter& filter, const Convex& shape) const {
+        filter.limit({{ends_[0], ends_[1]}, turn_, center_, near_, furthest_}, shape);
+    }
+
 private:
     Vec3 ends_[2], turn_, center_;
     double near_,
-        furthest_;  // m; furthest_: largest distance of the shape's points from the centre
+        furthest_;  // m; furthest_: largest distance of the shape's points from
+                    // the centre
 };
 
 class SurfacePair {
 public:
     SurfacePair(const TransformedShape& surface, const TransformedShape& convex, double margin,
                 const SurfaceMotion* motion = nullptr)
-        : surface_(surface), margin_(margin), seams_(convex, surface.axes) {
+        : surface_(surface), convex_(convex), margin_(margin) {
         // In the surface's frame, with the shape's position as the origin.
         origin_ = transposed_times(surface.axes, convex.position - surface.position);
         const Mat3 axes = transpose(surface.axes) * convex.axes;
@@ -190,12 +207,20 @@ public:
     void add_neighbours(const std::vector<TransformedShape>& neighbours) {
         for (const TransformedShape& neighbour : neighbours)
             if (neighbour.geometry != surface_.geometry || neighbour.position != surface_.position)
-                seams_.add(neighbour);
+                add_neighbour(neighbour);
+    }
+
+    void add_neighbour(const TransformedShape& neighbour) {
+        if (!seams_) seams_.emplace(convex_, surface_.axes);
+        seams_->add(neighbour);
     }
 
     // Returns whether a neighbour covers a contact.
     bool collide(std::vector<Manifold>& out) {
         TriangleFilter filter(shape_, shape_.radius + margin_);
+        if (motion_) motion_->limit(filter, shape_);
+        patches_.reserve(8);
+        points_.reserve(32);
         const auto add_near = [&](const SurfaceTriangle& t) { add(t); };
         for_each_triangle(*surface_.geometry, box_, [&](const SurfaceTriangle& t) {
             filter.put(t, origin_);
@@ -299,13 +324,16 @@ private:
         const double gap = dot(low - corner[0], face);
         if (gap > shape_.radius + margin_ || exceeds_reach(gap, face)) return;
         if (motion_ && exceeds_reach_of_middle(corner)) return;
-        TriangleSide side{t, {corner[0], corner[1], corner[2]}, height < 0 ? -1.0 : 1.0, face, {},
+        TriangleSide side{t,
+                          {corner[0], corner[1], corner[2]},
+                          height < 0 ? -1.0 : 1.0,
+                          face,
+                          {},
+                          folds_of(*surface_.geometry, t, front),
                           {}};
-        const SurfaceFolds folds = folds_of(*surface_.geometry, t, front);
         for (int k = 0; k < 3; k++) {
             side.outward[k] = cross(corner[(k + 1) % 3] - corner[k], front);
-            const float fold = folds.at[k];
-            side.ridge[k] = fold == no_neighbour_fold ? 1e300 : side.side * double{fold};
+            side.ridge[k] = ridge_of(side.folds, k, side.side);
         }
         if (add_over_face(side, low, gap, absolute(height))) return;
         if (belongs_to_neighbours(side, low, gap)) {
@@ -327,8 +355,6 @@ private:
 
     // A ridge that turns by less than this is a gentle one: 20 degrees.
     static constexpr double gentle_ridge = 0.1763;
-    // An edge that turns by less than this is flat.
-    static constexpr double flat_fold = 0.5e-4;
 
     // A shape that lies above a triangle, or overlaps it by little, where the face normal is the
     // only one that the triangle allows. `low` is the point of its core nearest to the plane, `gap`
@@ -348,13 +374,13 @@ private:
                 (inset == 0 || beyond * beyond >= inset * inset * length_squared(t.outward[k])))
                 continue;
             inside = false;
-            beyond_ridge = beyond_ridge || t.ridge[k] >= flat_fold;
+            beyond_ridge = beyond_ridge || t.ridge[k] >= flat_ridge;
         }
         if (inside) {
             add_face_points(t, true, low, gap);
             return true;
         }
-        if (beyond_ridge || gap < -slack() || !seams_.empty()) return false;
+        if (beyond_ridge || gap < -slack() || seams_) return false;
         add_face_points(t, false);
         return true;
     }
@@ -366,34 +392,37 @@ private:
     // unit vector d is at most d . (v - t). If d . (v - t - s q) < 0 for the rays of the cone, it
     // is less than s for all d in the cone.
     bool belongs_to_neighbours(const TriangleSide& t, Vec3 low, double gap) const {
-        if (!seams_.empty()) return false;
+        if (seams_) return false;
         Vec3 limit[3];
         double furthest = 0;
-        int edge = -1;
+        int edge = -1;  // beyond which the nearest point is furthest
         for (int k = 0; k < 3; k++) {
             if (!(absolute(t.ridge[k]) <= gentle_ridge)) return false;
-            limit[k] = t.outward[k];
-            if (t.ridge[k] < flat_fold) continue;
             const double width = length(t.outward[k]);
-            limit[k] -= t.face * (width * t.ridge[k]);
             const double beyond = dot(low - t.corner[k], t.outward[k]);
             if (beyond > furthest * width) furthest = beyond / width, edge = k;
+            limit[k] = t.outward[k];
+            if (t.ridge[k] > 0) limit[k] -= t.face * (width * t.ridge[k]);
         }
         Vec3 ray[3];
         for (int k = 0; k < 3; k++) ray[k] = cross(limit[k], limit[(k + 1) % 3]) * t.side;
         const auto is_below = [&](Vec3 off) {
             return dot(ray[0], off) < 0 && dot(ray[1], off) < 0 && dot(ray[2], off) < 0;
         };
-        if (gap < 0 && is_below(low - nearest_on_triangle(t.corner, low))) return true;
+        // Without a lower bound of the distance, the shape may overlap the triangle next to its
+        // deepest point. Then the points over the face describe the contact of a polyhedron.
         if (edge < 0) return false;
+        if (gap < 0 && is_polyhedron(shape_) && is_below(low - nearest_on_triangle(t.corner, low)))
+            return true;
+        if (t.ridge[edge] < flat_ridge) return false;
         // The separation along the normal of the neighbour.
         const Vec3 half =
             normalized(t.face + t.outward[edge] * (t.ridge[edge] / length(t.outward[edge])));
         const Vec3 n = half * (2 * dot(half, t.face)) - t.face;
         const Vec3 lowest = support(shape_, -n);
         const double distance = dot(lowest - t.corner[edge], n);
-        return is_below(lowest - nearest_on_triangle(t.corner, lowest) -
-                        half * maximum(0, distance));
+        return distance > 0 &&
+               is_below(lowest - nearest_on_triangle(t.corner, lowest) - half * distance);
     }
 
     // Adds the points of the shape over the face. If the shape's nearest point is among them, it is
@@ -430,9 +459,9 @@ private:
         Patch patch{.normal = w.normal, .triangle = t.index};
         patch.first = static_cast<int>(points_.size());
         const bool allowed =
-            may_act(*surface_.geometry, t, face, side, w.on_a + origin_, w.normal, edge_slack_);
+            may_act(t, seen.folds, face, side, w.on_a + origin_, w.normal, edge_slack_);
         const std::optional<Vec3> cover =
-            covering_normal(t, triangle, w.on_a, w.normal, gap_of(w), face);
+            covering_normal(t, seen.folds, triangle, w.on_a, w.normal, gap_of(w), face);
         if (cover) {
             covered_ = true;
             if (dot(*cover, face) < tuning::same_piece) return;
@@ -504,12 +533,13 @@ private:
 
     // The normal of a neighbour that covers the contact with a triangle at a point of its edge: of
     // another shape, or of another triangle if the edge has no neighbour that could tell.
-    std::optional<Vec3> covering_normal(const SurfaceTriangle& t, const Convex& triangle, Vec3 at,
-                                        Vec3 n, double gap, Vec3 face) {
+    std::optional<Vec3> covering_normal(const SurfaceTriangle& t, const SurfaceFolds& folds,
+                                        const Convex& triangle, Vec3 at, Vec3 n, double gap,
+                                        Vec3 face) {
         if (dot(n, face) > facing) return std::nullopt;
-        if (!seams_.empty())
-            if (const auto cover = seams_.covering_normal(triangle, n, gap)) return cover;
-        if (!is_on_border(*surface_.geometry, t, at + origin_)) return std::nullopt;
+        if (seams_)
+            if (const auto cover = seams_->covering_normal(triangle, n, gap)) return cover;
+        if (!is_on_border(t, folds, at + origin_)) return std::nullopt;
         if (seam_tests_ > tuning::max_seam_tests) return std::nullopt;
         SeamContact contact(shape_, triangle, n, gap);
         for_each_triangle(*surface_.geometry, box_, [&](const SurfaceTriangle& other) {
@@ -536,7 +566,8 @@ private:
             n = face;
         } else {
             if (!is_nearest(t, at, n)) return true;
-            if (covering_normal(t, triangle_convex(corner, {}, {}), at, n, distance - shape_.radius,
+            if (covering_normal(t, folds_of(*surface_.geometry, t, front),
+                                triangle_convex(corner, {}, {}), at, n, distance - shape_.radius,
                                 face)) {
                 covered_ = true;
                 return true;
@@ -729,7 +760,7 @@ private:
         }
     }
 
-    const TransformedShape& surface_;
+    const TransformedShape &surface_, &convex_;
     double margin_;
     Vec3 origin_;
     Convex shape_;
@@ -738,10 +769,10 @@ private:
     double crack_ = 0;  // m: width of a gap between two triangles that count as neighbours
     double edge_slack_ = tuning::edge_slack;  // rad; a round shape leans over a crack
     Vec3 middle_;
-    Seams seams_;
-    bool covered_ = false;  // a neighbour covers a contact
-    int seam_tests_ = 0;    // of triangles that may cover a contact at an open edge
-    Vec3 exit_direction_;   // zero until computed
+    std::optional<Seams> seams_;  // of the neighbours, if there are any
+    bool covered_ = false;        // a neighbour covers a contact
+    int seam_tests_ = 0;          // of triangles that may cover a contact at an open edge
+    Vec3 exit_direction_;         // zero until computed
     std::optional<ShapeMotion> motion_;
     std::optional<FaceClip> clip_;
     std::vector<Patch> patches_;
@@ -764,8 +795,9 @@ Vec3 acting_normal(const Geometry& surface, const SurfaceTriangle& triangle, Vec
     const double up = dot(n, front), side = up < 0 ? -1 : 1;
     // A contact along the face is at a border or a ridge, from either side.
     if (absolute(up) < 0.5) return n;
-    return may_act(surface, triangle, front * side, side, at, n, tuning::edge_slack) ? n
-                                                                                     : front * side;
+    const SurfaceFolds folds = folds_of(surface, triangle, front);
+    return may_act(triangle, folds, front * side, side, at, n, tuning::edge_slack) ? n
+                                                                                   : front * side;
 }
 
 bool overlaps_surface(const TransformedShape& surface, const TransformedShape& convex) {

@@ -6,6 +6,7 @@
 #include "physics/src/collision/narrowphase/collide_composite.h"
 #include "physics/src/collision/narrowphase/gjk.h"
 #include "physics/src/collision/narrowphase/segments.h"
+#include "physics/src/collision/narrowphase/triangle.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/geometry/bvh.h"
 #include "physics/src/geometry/shape_measures.h"
@@ -409,26 +410,39 @@ Impact turned_round(Impact impact) {
     return impact;
 }
 
-// Returns whether a shape stays on one side of a triangle, further away than a touch. Most
-// triangles in the box around a motion are such, and the test needs no search. `triangle` and
-// `shape`: poses at interval.from, relative to `origin`.
+// Returns whether a shape stays on one side of a triangle, or of the plane that separates their
+// nearest points, further away than a touch. Most triangles in the box around a motion are such,
+// and the test needs no search. `triangle` and `shape`: poses at interval.from, relative to
+// `origin`.
 bool stays_separated(const SweptShape& surface, const SweptShape& moving, const Convex& triangle,
                      const Convex& shape, Vec3 origin, const SweepInterval& interval) {
     const SweepInterval wider{interval.from, interval.until, 3 * interval.gap};
-    const Vec3* const corner = triangle.corner;
+    Vec3 corner[3];
+    for (int k = 0; k < 3; k++) corner[k] = triangle.position + triangle.axes * triangle.corner[k];
     const Vec3 out = cross(corner[1] - corner[0], corner[2] - corner[0]);
     const double area2 = length_squared(out);
     if (area2 == 0) return false;
-    const Vec3 front = triangle.axes * (out * (1 / square_root(area2)));
-    const double plane = dot(triangle.position + triangle.axes * corner[0], front);
-    const double in_front = dot(support(shape, -front), front) - shape.radius - plane;
-    const double behind = plane - dot(support(shape, front), front) - shape.radius;
-    const Gap now{maximum(in_front, behind), in_front > behind ? front : -front, {}, {}};
-    if (now.distance <= wider.gap) return false;
-    return safe_step(surface, moving, now, interval.from, wider, 0,
-                     extent_of(triangle, origin - center_at(surface.sweep, interval.from)),
-                     extent_of(shape, origin - center_at(moving.sweep, interval.from))) >
-           interval.until - interval.from;
+    const auto separates = [&](const Gap& now) {
+        return now.distance > wider.gap &&
+               safe_step(surface, moving, now, interval.from, wider, 0,
+                         extent_of(triangle, origin - center_at(surface.sweep, interval.from)),
+                         extent_of(shape, origin - center_at(moving.sweep, interval.from))) >
+                   interval.until - interval.from;
+    };
+    const auto distance_along = [&](Vec3 n, Vec3 at) {
+        return dot(support(shape, -n) - at, n) - shape.radius;
+    };
+    const Vec3 front = out * (1 / square_root(area2));
+    const double in_front = distance_along(front, corner[0]),
+                 behind = distance_along(-front, corner[0]);
+    if (separates({maximum(in_front, behind), in_front > behind ? front : -front, {}, {}}))
+        return true;
+    // From the point of the triangle nearest to the centre of the shape to the centre.
+    const Vec3 middle = middle_of(shape), at = nearest_on_triangle(corner, middle);
+    const double distance = length(middle - at);
+    if (distance <= 0) return false;
+    const Vec3 n = (middle - at) * (1 / distance);
+    return separates({distance_along(n, at), n, {}, {}});
 }
 
 Impact surface_impact(const SweptShape& surface, const SweptShape& shape,
@@ -441,31 +455,33 @@ Impact surface_impact(const SweptShape& surface, const SweptShape& shape,
     for_each_triangle(
         *surface.geometry, grow(swept_aabb_in(surface, shape, interval), 2 * interval.gap),
         [&](const SurfaceTriangle& t) {
+            // Later touches are irrelevant.
+            const SweepInterval left{interval.from, minimum(interval.until, best.fraction),
+                                     interval.gap};
             Vec3 hint, origin = shape_now.position;
             Convex triangle =
                        triangle_convex(t.corner, surface_now.position - origin, surface_now.axes),
                    c;
-            if (stays_separated(surface, shape, triangle, convex_now, origin, interval)) return;
+            if (stays_separated(surface, shape, triangle, convex_now, origin, left)) return;
             const auto gap_at = [&](double at, bool exact) {
                 const TransformedShape ps = transformed_shape_at(surface, at),
                                        pc = transformed_shape_at(shape, at);
                 origin = pc.position;
                 triangle = triangle_convex(t.corner, ps.position - origin, ps.axes);
                 c = convex_at(shape, pc, origin);
-                const GjkGoal early{
-                    .beyond = c.radius + interval.gap + most * (interval.until - at),
-                    .loose = tuning::loose_gap,
-                    .radii = c.radius};
+                const GjkGoal early{.beyond = c.radius + left.gap + most * (left.until - at),
+                                    .loose = tuning::loose_gap,
+                                    .radii = c.radius};
                 const GjkResult g = gjk(triangle, c, hint, exact ? GjkGoal{} : early);
                 hint = g.normal;
                 return gap_of(g, surface, shape, 0, c.radius, origin);
             };
             const auto step_from = [&](const Gap& now, double at, double least) {
-                return safe_step(surface, shape, now, at, interval, least,
+                return safe_step(surface, shape, now, at, left, least,
                                  extent_of(triangle, origin - center_at(surface.sweep, at)),
                                  extent_of(c, origin - center_at(shape.sweep, at)));
             };
-            keep_first(best, advance(surface, shape, interval, gap_at, step_from));
+            keep_first(best, advance(surface, shape, left, gap_at, step_from));
         });
     return best;
 }

@@ -45,6 +45,24 @@ TriangleFilter::TriangleFilter(const Convex& shape, double reach)
     radius_ = splat4(float_above(length(max(abs(low), abs(high)))));
 }
 
+void TriangleFilter::limit(const MotionLimit& motion, const Convex& shape) {
+    const auto local = [&](Vec3 v) {
+        Float4 to[3];
+        fill(to, transposed_times(shape.axes, v));
+        return Lanes3{to[0], to[1], to[2]};
+    };
+    moves_ = true;
+    ends_[0] = local(motion.ends[0]);
+    ends_[1] = local(motion.ends[1]);
+    turn_ = local(motion.turn);
+    center_ = local(motion.center - shape.position);
+    near_ = splat4(float_above(motion.near + shape.radius));
+    furthest_ = splat4(float_above(motion.furthest));
+    // Rounding errors are relative to all lengths.
+    radius_ += splat4(float_above(length(motion.ends[0]) + length(motion.ends[1]) +
+                                  length(motion.center) + motion.furthest));
+}
+
 void TriangleFilter::put(const SurfaceTriangle& triangle, Vec3 origin) {
     ASSERT(count_ < 4);
     triangle_[count_] = triangle;
@@ -136,6 +154,17 @@ TriangleFilter::Lanes3 TriangleFilter::to_middle(const Lanes3 corner[3],
             inside ? normal.z * side : best.z};
 }
 
+Mask4 TriangleFilter::beyond_motion(const Lanes3& d, Float4 length, Float4 apart, Float4 low,
+                                    Float4 rounding) const {
+    const Float4 approach = smaller4(splat4(0), smaller4(dot4(ends_[0], d), dot4(ends_[1], d)));
+    const Float4 left = apart + approach - (near_ + rounding) * length;
+    // The rotation brings no point nearer than the points that are furthest from the centre.
+    const Lanes3 across = cross4(turn_, d);
+    const Float4 by_turn = root4(dot4(across, across)) * furthest_;
+    const Float4 by_extent = furthest_ * length - (dot4(center_, d) - low);
+    return left > larger4(splat4(0), smaller4(by_turn, by_extent));
+}
+
 // Each direction d separates a triangle by the least d . p of the shape less the largest of the
 // corners, divided by the length of d. This bound holds for any d, however it was rounded.
 unsigned TriangleFilter::near() const {
@@ -143,14 +172,20 @@ unsigned TriangleFilter::near() const {
     Float4 furthest = radius_;
     for (const Lanes3& c : corner)
         furthest = larger4(furthest, (absolute4(c.x) + absolute4(c.y)) + absolute4(c.z));
-    const Float4 reach = reach_ + furthest * splat4(4e-6f);
+    const Float4 rounding = furthest * splat4(4e-6f), reach = reach_ + rounding;
     Mask4 far = beyond_box(corner, reach);
     const auto separates = [&](const Lanes3& d, bool both_sides) {
         const Extent extent = extent_along(d);
         const Float4 a = dot4(corner[0], d), b = dot4(corner[1], d), c = dot4(corner[2], d);
-        const Float4 least = reach * root4(dot4(d, d));
-        Mask4 apart = extent.low - larger4(a, larger4(b, c)) > least;
-        if (both_sides) apart |= smaller4(a, smaller4(b, c)) - extent.high > least;
+        const Float4 length = root4(dot4(d, d)), least = reach * length;
+        const Float4 above = extent.low - larger4(a, larger4(b, c));
+        Mask4 apart = above > least;
+        if (moves_) apart |= beyond_motion(d, length, above, extent.low, rounding);
+        if (!both_sides) return apart;
+        const Float4 below = smaller4(a, smaller4(b, c)) - extent.high;
+        apart |= below > least;
+        if (moves_)
+            apart |= beyond_motion({-d.x, -d.y, -d.z}, length, below, -extent.high, rounding);
         return apart;
     };
     const Lanes3 normal = cross4(minus(corner[1], corner[0]), minus(corner[2], corner[0]));

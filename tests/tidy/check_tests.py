@@ -27,9 +27,6 @@ COVERED_BY = {
         (["physics/collision/narrowphase/collide_test.cpp"], "boxes against a search over all directions; four points at rest"),
     "collision/narrowphase/collide_plane.cpp":
         (["physics/collision/narrowphase/collide_test.cpp"], "every convex kind against a plane and a search over all directions"),
-    "collision/narrowphase/collide_surface.cpp":
-        (["physics/collision/narrowphase/collide_composite_test.cpp", "behaviour/terrain_test.cpp"],
-         "every kind against meshes and fields, part by part; seams that cannot be felt"),
     "collision/narrowphase/manifold.h":
         (["physics/collision/narrowphase/collide_test.cpp"], "two lines: pairs are looked at from both sides"),
     "collision/narrowphase/nearest_point.cpp":

@@ -9,6 +9,7 @@
 #include "jostle/modules/character.h"
 #include "jostle/modules/destruction.h"
 #include "jostle/modules/fields.h"
+#include "jostle/modules/particles.h"
 #include "jostle/modules/ragdoll.h"
 #include "jostle/modules/vehicle.h"
 #include "jostle/scenes/catalog.h"
@@ -34,6 +35,7 @@ void register_catalog_modules() {
         register_once<modules::Destruction>("destruction");
         register_once<modules::Fields>("fields");
         register_once<Katamari>("katamari");
+        register_once<modules::Particles>("particles");
         register_once<modules::Ragdolls>("ragdoll");
         register_once<modules::Vehicles>("vehicle");
     });

@@ -45,6 +45,8 @@ double number_of(const Message& m, const FieldDescriptor& field) {
             return get.GetBool(m, &field) ? 1 : 0;
         case FieldDescriptor::CPPTYPE_UINT32:
             return get.GetUInt32(m, &field);
+        case FieldDescriptor::CPPTYPE_INT32:
+            return get.GetInt32(m, &field);
         case FieldDescriptor::CPPTYPE_ENUM:
             return get.GetEnumValue(m, &field) - 1;  // 0 is UNSPECIFIED
         default:
@@ -59,6 +61,8 @@ void set_number(Message& m, const FieldDescriptor& field, double value) {
             return set.SetBool(&m, &field, value != 0);
         case FieldDescriptor::CPPTYPE_UINT32:
             return set.SetUInt32(&m, &field, static_cast<std::uint32_t>(value));
+        case FieldDescriptor::CPPTYPE_INT32:
+            return set.SetInt32(&m, &field, static_cast<std::int32_t>(value));
         case FieldDescriptor::CPPTYPE_ENUM:
             return set.SetEnumValue(&m, &field, static_cast<int>(value) + 1);
         default:

@@ -60,6 +60,7 @@ SceneDescription locked();
 SceneDescription flatland();
 SceneDescription hovercraft();
 SceneDescription ragdoll_stairs();
+SceneDescription fountain();
 SceneDescription harbour();
 SceneDescription parkour();
 SceneDescription race_track();

@@ -37,6 +37,31 @@ void StateVisitor::field(std::string_view name, Transform& value) {
 
 namespace {
 
+template <class T>
+void visit_each(StateVisitor& v, std::string_view name, std::span<T> values) {
+    v.enter(name);
+    for (std::size_t k = 0; k < values.size(); k++) {
+        v.enter(k);
+        v.field("", values[k]);
+        v.leave();
+    }
+    v.leave();
+}
+
+}  // namespace
+
+void StateVisitor::field(std::string_view name, std::span<double> values) {
+    visit_each(*this, name, values);
+}
+void StateVisitor::field(std::string_view name, std::span<std::uint32_t> values) {
+    visit_each(*this, name, values);
+}
+void StateVisitor::field(std::string_view name, std::span<Vec3> values) {
+    visit_each(*this, name, values);
+}
+
+namespace {
+
 template <class Id>
 void visit_id(StateVisitor& v, std::string_view name, Id& id) {
     v.enter(name);

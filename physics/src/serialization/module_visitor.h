@@ -5,6 +5,7 @@
 #pragma once
 
 #include <memory>
+#include <span>
 #include <string>
 
 #include "jostle/base/check.h"
@@ -36,6 +37,19 @@ public:
     void field(std::string_view name, std::int64_t& x) override { v_.field(name, x); }
     void field(std::string_view name, float& x) override { v_.field(name, x); }
     void field(std::string_view name, double& x) override { v_.field(name, x); }
+    void field(std::string_view name, std::span<double> values) override {
+        visit_each(name, values, [&](double& x) { v_.field("", x); });
+    }
+    void field(std::string_view name, std::span<std::uint32_t> values) override {
+        visit_each(name, values, [&](std::uint32_t& x) { v_.field("", x); });
+    }
+    void field(std::string_view name, std::span<Vec3> values) override {
+        visit_each(name, values, [&](Vec3& p) {
+            v_.field("x", p.x);
+            v_.field("y", p.y);
+            v_.field("z", p.z);
+        });
+    }
     std::size_t count(std::string_view name, std::size_t size) override {
         return v_.count(name, size);
     }
@@ -44,6 +58,18 @@ public:
     void leave() override { v_.leave(); }
 
 private:
+    // Path, then values: no virtual call per value.
+    template <class T, class Visit>
+    void visit_each(std::string_view name, std::span<T> values, Visit&& visit) {
+        v_.enter(name);
+        for (std::size_t k = 0; k < values.size(); k++) {
+            v_.enter(k);
+            visit(values[k]);
+            v_.leave();
+        }
+        v_.leave();
+    }
+
     V& v_;
 };
 

@@ -119,6 +119,73 @@ TEST(ModuleState, restore_point_saves_the_same_bytes_as_its_world) {
     EXPECT_NE(saved.hash, state_hash(world));
 }
 
+// Arrays of numbers, each visited with one call.
+struct Cloud : Module {
+    std::vector<Vec3> points{{1, 2, 3}, {4, 5, 6}};
+    std::vector<double> ages{7, 8};
+    std::vector<std::uint32_t> ids{9, 10};
+
+    std::string_view tag() const override { return "cloud"; }
+    void visit(StateVisitor& v) override {
+        std::size_t count = v.count("count", points.size());
+        if (v.loading()) {
+            if (count > 5000) v.fail("count", "is more than 5000");
+            if (v.failed()) count = 0;
+            points.resize(count), ages.resize(count), ids.resize(count);
+        }
+        v.field("points", std::span(points));
+        v.field("ages", std::span(ages));
+        v.field("ids", std::span(ids));
+    }
+};
+
+// The same numbers one by one.
+struct SlowCloud : Cloud {
+    void visit(StateVisitor& v) override {
+        v.all("count", points, [&](Vec3& p) { v.field("p", p); });
+        for (double& age : ages) v.field("age", age);
+        for (std::uint32_t& id : ids) v.field("id", id);
+    }
+};
+
+TEST(ModuleState, spans_are_saved_hashed_and_compared_number_by_number) {
+    Cloud cloud;
+    SlowCloud slow;
+    const std::vector<std::byte> bytes = save_module(cloud);
+    EXPECT_EQ(bytes.size(), 8 + 2 * (24 + 8 + 4u));
+    EXPECT_EQ(bytes, save_module(slow)) << "the format does not depend on the call";
+    World a, b;
+    must(a.add_module(std::make_unique<Cloud>()));
+    must(b.add_module(std::make_unique<Cloud>()));
+    EXPECT_EQ(state_hash(a), state_hash(b));
+    auto& changed = dynamic_cast<Cloud&>(*b.module("cloud"));
+    changed.points[1].y = 5.5;
+    EXPECT_NE(state_hash(a), state_hash(b));
+    EXPECT_EQ(first_difference(a, b), "modules.cloud.state.points[1].y: 5 against 5.5");
+    changed.points[1].y = 5;
+    changed.ids[0] = 11;
+    EXPECT_EQ(first_difference(a, b), "modules.cloud.state.ids[0]: 9 against 11");
+}
+
+TEST(ModuleState, loaded_spans_are_validated) {
+    Cloud cloud, read;
+    cloud.points.push_back({0.5, 0, 0}), cloud.ages.push_back(1), cloud.ids.push_back(3);
+    const std::vector<std::byte> good = save_module(cloud);
+    must(load_module(read, good));
+    EXPECT_EQ(read.points, cloud.points);
+    EXPECT_EQ(read.ages, cloud.ages);
+    EXPECT_EQ(read.ids, cloud.ids);
+    for (std::size_t cut = 0; cut < good.size(); cut++)
+        EXPECT_FALSE(load_module(read, std::span(good).first(cut)).ok()) << cut;
+    std::vector<std::byte> infinite = good;
+    for (std::size_t k = 0; k < 8; k++) infinite[8 + 24 + 8 + k] = std::byte{0xff};
+    EXPECT_THAT(load_module(read, infinite).error().message,
+                HasSubstr("cloud.state.points[1].y is not finite"));
+    std::vector<std::byte> larger = good;
+    larger[0] = std::byte{200};
+    EXPECT_THAT(load_module(read, larger).error().message, HasSubstr("count"));
+}
+
 struct Unknown : Module {
     std::string_view tag() const override { return "unheard_of"; }
     void visit(StateVisitor&) override {}

@@ -6,6 +6,7 @@
 
 #include <cstddef>
 #include <cstdint>
+#include <span>
 #include <string>
 #include <string_view>
 #include <type_traits>
@@ -54,6 +55,11 @@ public:
     void field(std::string_view name, Vec3& value);
     void field(std::string_view name, Quat& value);
     void field(std::string_view name, Transform& value);
+    /// Visit consecutive numbers as one field, with one call instead of one per number. The size of
+    /// the span is not visited: visit it first with count() and resize the array.
+    virtual void field(std::string_view name, std::span<double> values);
+    virtual void field(std::string_view name, std::span<std::uint32_t> values);
+    virtual void field(std::string_view name, std::span<Vec3> values);
     /// Visit an id. A visitor between two worlds translates ids into what they refer to.
     virtual void field(std::string_view name, BodyId& value);
     virtual void field(std::string_view name, ShapeId& value);

@@ -2,6 +2,7 @@
 #include "bench/module_cases.h"
 
 #include <array>
+#include <cmath>
 #include <cstdint>
 #include <stdexcept>
 #include <vector>
@@ -9,6 +10,7 @@
 #include "jostle/modules/character.h"
 #include "jostle/modules/destruction.h"
 #include "jostle/modules/fields.h"
+#include "jostle/modules/particles.h"
 #include "jostle/modules/ragdoll.h"
 #include "jostle/modules/vehicle.h"
 #include "jostle/physics/mesh.h"
@@ -229,6 +231,113 @@ private:
     DestructibleId id_;
 };
 
+// A throw of each object in its own direction, with linear drag:
+// v = g / c + (v0 - g / c) exp(-c t). The objects do not meet anything.
+class Throw : public ModuleScene {
+public:
+    static constexpr double drag = 0.5;  // 1/s
+    static Vec3 gravity() { return {0, -9.81, 0}; }
+    static Vec3 velocity_of(int k) {
+        const SinCos turn = sin_cos(0.61803398875 * 2 * pi * k);
+        return {10 * turn.cos, 20 + 0.001 * k, 10 * turn.sin};
+    }
+    static Vec3 start_of(int k) { return grid_position(k, 2); }
+    std::optional<double> error() const override {
+        const double t = world_.time();
+        const Vec3 last = gravity() * (1 / drag);
+        double sum = 0;
+        for (int k = 0; k < count_; k++) {
+            const Vec3 truth = start_of(k) + last * t +
+                               (velocity_of(k) - last) * ((1 - std::exp(-drag * t)) / drag);
+            sum += length_squared(position_of(k) - truth);
+        }
+        return square_root(sum / count_);
+    }
+
+protected:
+    explicit Throw(int count) : count_(count) {}
+    virtual Vec3 position_of(int k) const = 0;
+
+    int count_;
+    World world_;
+};
+
+template <ParticleIntegrator integrator>
+class ParticleThrow final : public Throw {
+public:
+    explicit ParticleThrow(int count) : Throw(count), particles_(add<Particles>(world_)) {
+        key_ = must(particles_.add(world_, {.integrator = integrator,
+                                            .count_max = static_cast<std::uint32_t>(count),
+                                            .linear_drag = drag,
+                                            .collide_bodies = false}));
+        for (int k = 0; k < count; k++) {
+            const ParticleStart start{start_of(k), velocity_of(k)};
+            must(particles_.group(key_)->add(std::span(&start, 1)));
+        }
+    }
+    void step(int) override { must(world_.step(1.0 / 60)); }
+
+private:
+    Vec3 position_of(int k) const override {
+        return particles_.group(key_)->positions()[static_cast<std::size_t>(k)];
+    }
+
+    Particles& particles_;
+    ParticleKey key_;
+};
+
+// The peer: rigid bodies without collisions.
+class BodyThrow final : public Throw {
+public:
+    explicit BodyThrow(int count) : Throw(count) {
+        for (int k = 0; k < count; k++)
+            bodies_.push_back(must(world_.create_body(
+                {.pose = {.position = start_of(k)},
+                 .linear_velocity = velocity_of(k),
+                 .linear_damping = drag,
+                 .sleep_allowed = false},
+                {.geometry = Sphere{0.05}, .filter = {.category = 1, .mask = 0}})));
+    }
+    void step(int) override { must(world_.step(1.0 / 60)); }
+
+private:
+    Vec3 position_of(int k) const override {
+        return world_.body(bodies_[static_cast<std::size_t>(k)])->pose.position;
+    }
+
+    std::vector<BodyId> bodies_;
+};
+
+// Particles in a steady state: emitted at a rate that replaces those whose lifetime ended.
+template <bool smoke, bool balls>
+class EmittedParticles final : public ModuleScene {
+public:
+    explicit EmittedParticles(int count) : particles_(add<Particles>(world_)) {
+        if (!smoke)
+            must(world_.create_body({.type = BodyType::static_body}, {.geometry = hills()}));
+        ParticleGroupDef def{.count_max = static_cast<std::uint32_t>(count),
+                             .radius = balls ? 0.05 : 0,
+                             .gravity_scale = smoke ? -0.02 : 1,
+                             .linear_drag = smoke ? 1.0 : 0,
+                             .collide_bodies = !smoke,
+                             .collide_particles = balls};
+        if (smoke) def.flow = {.speed = 1, .scale = 2};
+        def.emitter = {.shape = EmitterShape::box,
+                       .position = {0, 6, 0},
+                       .half_extents = {20, 1, 20},
+                       .rate = count / 2.0,
+                       .burst = static_cast<std::uint32_t>(count),
+                       .speed = 0,
+                       .lifetime = 2};
+        must(particles_.add(world_, def));
+    }
+    void step(int) override { must(world_.step(1.0 / 60)); }
+
+private:
+    World world_;
+    Particles& particles_;
+};
+
 template <class Scene>
 std::unique_ptr<ModuleScene> make(int count) {
     return std::make_unique<Scene>(count);
@@ -248,6 +357,15 @@ constexpr ModuleCase cases[] = {
     {"destruction_burst_passing", 2000, make<Burst<true, true>>},
     {"field_turbulence", 500, make<Crates<false>>},
     {"field_waves", 500, make<Crates<true>>},
+    {"particles_throw_explicit", 20000, make<ParticleThrow<ParticleIntegrator::explicit_euler>>},
+    {"particles_throw_semi", 20000, make<ParticleThrow<ParticleIntegrator::semi_implicit_euler>>},
+    {"particles_throw_implicit", 20000, make<ParticleThrow<ParticleIntegrator::implicit_euler>>},
+    {"particles_throw_verlet", 20000, make<ParticleThrow<ParticleIntegrator::verlet>>},
+    {"particles_throw_rk4", 20000, make<ParticleThrow<ParticleIntegrator::runge_kutta_4>>},
+    {"throw_bodies", 2000, make<BodyThrow>},
+    {"particles_smoke", 20000, make<EmittedParticles<true, false>>},
+    {"particles_rain", 20000, make<EmittedParticles<false, false>>},
+    {"particles_balls", 20000, make<EmittedParticles<false, true>>},
     {"ragdoll_limp", 40, figures<RagdollMode::limp>},
     {"ragdoll_powered", 40, figures<RagdollMode::powered>},
     {"ragdoll_kinematic", 40, figures<RagdollMode::kinematic>},

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <span>
 
 namespace jostle::bench {
@@ -13,6 +14,8 @@ public:
     virtual ~ModuleScene() = default;
     // Sets the controls of the objects and steps the world. k: index of the step, from 0.
     virtual void step(int k) = 0;
+    // Returns the RMS distance of the objects from a closed form, m; nullopt if there is none.
+    virtual std::optional<double> error() const { return std::nullopt; }
 };
 
 struct ModuleCase {

@@ -43,8 +43,7 @@ void add_mill(SceneDescription& scene) {
     }
     wheel.shapes[0].density = 30;
     scene.bodies.push_back(wheel);
-    join(scene, "axle", 0, scene.bodies.size() - 1, {hub, from_axis_angle({1, 0, 0}, 0.5 * pi)},
-         HingeJoint{});
+    join(scene, "axle", 0, scene.bodies.size() - 1, {hub, {}}, HingeJoint{});
 }
 
 void add_loose_bodies(SceneDescription& scene) {

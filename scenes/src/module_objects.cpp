@@ -141,9 +141,14 @@ private:
         const auto& get = *m.GetReflection();
         const int size = get.FieldSize(m, &field);
         check_size(in_, path, size, field);
-        for (int k = 0; k < size && !in_.failed(); k++)
-            read(get.GetRepeatedMessage(m, &field, k), path + "[" + std::to_string(k) + "]",
-                 name + std::to_string(k + 1) + "_");
+        for (int k = 0; k < size && !in_.failed(); k++) {
+            const std::string item = path + "[" + std::to_string(k) + "]";
+            const std::size_t known = object_.settings.size();
+            read(get.GetRepeatedMessage(m, &field, k), item, name + std::to_string(k + 1) + "_");
+            // The module knows an item only by its settings.
+            if (object_.settings.size() == known && !in_.failed())
+                in_.report_error(item, "is empty; it must have at least one field");
+        }
     }
 
     FieldReader& in_;

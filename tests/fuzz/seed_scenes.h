@@ -4,9 +4,11 @@
 #pragma once
 
 #include <algorithm>
+#include <memory>
 #include <string>
 #include <vector>
 
+#include "jostle/modules/particles.h"
 #include "jostle/physics/world.h"
 #include "jostle/v1/scene.pb.h"
 #include "tests/support/world_builder.h"
@@ -70,6 +72,41 @@ inline std::vector<v1::Scene> single_feature_scenes(const v1::Scene& whole) {
     return pieces;
 }
 
+// Particles of each kind: emitted on a body, linked by springs, in eddies, hitting each other.
+inline std::vector<physics::World> particle_worlds() {
+    using namespace physics;
+    using namespace modules;
+    using namespace test;
+    ParticleGroupDef spray{.count_max = 12, .mass = 0.01, .world_fields = true};
+    spray.emitter = {.shape = EmitterShape::disc, .position = {0, 2, 0}, .rate = 60, .cone = 1};
+    spray.planes = {{}};
+    ParticleGroupDef rope{.integrator = ParticleIntegrator::implicit_euler, .count_max = 3};
+    ParticleGroupDef eddies{.integrator = ParticleIntegrator::runge_kutta_4, .count_max = 6};
+    eddies.follow_flow = true;
+    eddies.flow = {.speed = 1, .octaves = 1, .walls = {{}, {.radius = 2}}};
+    eddies.emitter = {.burst = 6};
+    ParticleGroupDef balls{.count_max = 8, .radius = 0.2, .collide_particles = true};
+    balls.attractors = {{.point = {0, 1, 0}}};
+    balls.emitter = {.shape = EmitterShape::box, .burst = 8};
+    std::vector<World> worlds;
+    for (const ParticleGroupDef& def : {spray, rope, eddies, balls}) {
+        worlds.push_back(make_world());
+        add_floor(worlds.back());
+        add(worlds.back(), {.position = {0, 0.6, 0}});
+        auto module = std::make_unique<Particles>();
+        ParticleGroup& group = *module->group(must(module->add(worlds.back(), def)));
+        if (def.integrator == ParticleIntegrator::implicit_euler) {
+            must(group.add(
+                std::vector<ParticleStart>{{.position = {1, 2, 0}}, {.position = {1, 1.5, 0}}}));
+            must(group.add_springs(std::vector<ParticleSpring>{
+                {.a = 0, .anchor = {1, 3, 0}, .rest_length = 1}, {.a = 1, .b = 0}}));
+        }
+        must(worlds.back().add_module(std::move(module)));
+        test::run(worlds.back(), 0.2);
+    }
+    return worlds;
+}
+
 // Worlds with something of each store: touching, asleep, jointed, kinematic, triggered.
 inline std::vector<physics::World> small_worlds() {
     using namespace physics;
@@ -113,6 +150,7 @@ inline std::vector<physics::World> small_worlds() {
     const Vec3 corners[] = {{0.5, 0, 0}, {-0.5, 0, 0}, {0, 0.5, 0}, {0, 0, 0.5}};
     add(fair, {.geometry = Hull{must(build_hull(corners))}, .position = {0, 0.9, 0}});
     test::run(fair, 0.3);
+    for (World& world : particle_worlds()) worlds.push_back(std::move(world));
     return worlds;
 }
 

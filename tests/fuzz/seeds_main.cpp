@@ -253,6 +253,18 @@ void write_frames(const fs::path& folder) {
 
 constexpr std::size_t saved_bytes_max = 4096;  // more would be one world in a thousand runs
 
+// The particles of every_module.json, alone.
+v1::Scene particle_scene() {
+    v1::Scene whole, piece;
+    static_cast<void>(google::protobuf::util::JsonStringToMessage(
+        read_file("tests/scenes/data/every_module.json"), &whole));
+    piece.set_name("particles");
+    *piece.add_bodies() = whole.bodies(0);
+    for (const v1::Module& module : whole.modules())
+        if (module.has_particles()) *piece.add_modules() = module;
+    return piece;
+}
+
 void write_scenes(const fs::path& folder) {
     Seeds message(folder, "scene_message"), json(folder, "scene_json"),
         saved(folder, "saved_world");
@@ -273,6 +285,7 @@ void write_scenes(const fs::path& folder) {
     whole.clear_modules();  // of the tests alone
     std::vector<v1::Scene> pieces = single_feature_scenes(whole);
     pieces.push_back(scenes::to_message(scenes::find_scene("hovercraft").value()));
+    pieces.push_back(particle_scene());
     for (const v1::Scene& scene : pieces) {
         message.add(scene);
         const auto description = scenes::from_message(scene).value();

@@ -14,6 +14,7 @@
 #include "jostle/modules/destruction.h"
 #include "jostle/modules/fields.h"
 #include "jostle/modules/fracture_file.h"
+#include "jostle/modules/particles.h"
 #include "jostle/modules/vehicle.h"
 #include "jostle/scenes/catalog.h"
 #include "jostle/scenes/scene_file.h"
@@ -142,6 +143,40 @@ TEST(ModuleObjects, errors_name_line_and_field) {
         << "detected by the module: a body belongs to one car";
     EXPECT_THAT(error_of(R"({"vehicle": {"cars": [{"body": "car", "cast": 7}]}})"),
                 HasSubstr("modules[0].vehicle.cars[0].cast"));
+}
+
+TEST(ModuleObjects, particles_are_created_and_errors_name_line_and_field) {
+    const auto scene = read_scene_json(with_modules(R"({"particles": {"groups": [
+      {"integrator": "PARTICLE_INTEGRATOR_IMPLICIT_EULER", "radius": 0.1, "emitter": {"rate": 60, "shape": "EMITTER_SHAPE_SPHERE"},
+       "attractors": [{"falloff": -1, "strength": 2}],
+       "particles": [{"position": {"y": 2}}, {"position": {"y": 3}}], "springs": [{"from": 1, "to": 1}, {"anchor": {"y": 4}}]}
+    ]}})"));
+    ASSERT_TRUE(scene.ok()) << scene.error().message;
+    auto built = build_scene(*scene);
+    ASSERT_TRUE(built.ok()) << built.error().message;
+    const auto* particles =
+        dynamic_cast<const modules::Particles*>(built->world.module("particles"));
+    ASSERT_EQ(particles->groups().size(), 1u);
+    const modules::ParticleGroup& group = *particles->group(particles->groups()[0]);
+    EXPECT_EQ(group.def().attractors[0].falloff, -1);
+    EXPECT_EQ(group.springs().size(), 2u);
+    for (int k = 0; k < 30; k++) ASSERT_TRUE(built->world.step(1.0 / 60).ok());
+    EXPECT_EQ(group.size(), 32u);
+    EXPECT_EQ(error_of(R"({"particles": {"groups": [{}, {"emitter":
+        {"cone": 4}}]}})"),
+              "line 12, column 18: modules[0].particles.groups[1].emitter.cone: 4 is out of range; "
+              "it must be from 0 to 3.14159265");
+    EXPECT_EQ(error_of(R"({"particles": {"groups": []}})"),
+              "line 11, column 26: modules[0].particles.groups: has 0 items; it must have 1 to 64");
+    EXPECT_THAT(error_of(R"({"particles": {"groups": [{"planes": [{"normal": {}}]}]}})"),
+                HasSubstr("groups[0]: planes[0].normal has the length 0"));
+    EXPECT_THAT(
+        error_of(
+            R"({"particles": {"groups": [{"particles": [{"lifetime": 1}], "springs": [{"to": 0}, {"from": 9}]}]}})"),
+        HasSubstr("groups[0]: springs[1] is out of range"));
+    EXPECT_THAT(
+        error_of(R"({"particles": {"groups": [{"attractors": [{"falloff": 5}]}]}})"),
+        HasSubstr("modules[0].particles.groups[0].attractors[0].falloff: 5 is out of range"));
 }
 
 TEST(ModuleObjects, round_trips) {

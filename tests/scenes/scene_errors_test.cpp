@@ -304,14 +304,14 @@ TEST(SceneErrors, rejects_out_of_plane_values_in_planar_worlds) {
 
 TEST(SceneErrors, rejects_unknown_and_duplicate_modules) {
     test::register_turntable();
-    expect_refused(
-        with_module("\n\"tag\": \"submarine\""),
-        "line 6: modules[0].tag: is \"submarine\"; it must be one of "
-        "boat, character, destruction, fields, hovercraft, katamari, ragdoll, turntable, vehicle");
-    expect_refused(
-        with_module("\"settings\": {}"),
-        "modules[0].tag: is \"\"; it must be one of boat, "
-        "character, destruction, fields, hovercraft, katamari, ragdoll, turntable, vehicle");
+    expect_refused(with_module("\n\"tag\": \"submarine\""),
+                   "line 6: modules[0].tag: is \"submarine\"; it must be one of "
+                   "boat, character, destruction, fields, hovercraft, katamari, particles, "
+                   "ragdoll, turntable, vehicle");
+    expect_refused(with_module("\"settings\": {}"),
+                   "modules[0].tag: is \"\"; it must be one of boat, "
+                   "character, destruction, fields, hovercraft, katamari, particles, ragdoll, "
+                   "turntable, vehicle");
     expect_refused(
         with_module("\"tag\": \"turntable\"},\n{\"tag\": \"turntable\""),
         "line 6: modules[1].tag: is \"turntable\", a duplicate; a world has at most one module per "
@@ -321,7 +321,8 @@ TEST(SceneErrors, rejects_unknown_and_duplicate_modules) {
     ASSERT_FALSE(built.ok());
     EXPECT_EQ(built.error().message,
               "modules[0] 'submarine': module \"submarine\" is not registered (registered: boat, "
-              "character, destruction, fields, hovercraft, katamari, ragdoll, turntable, vehicle); "
+              "character, destruction, fields, hovercraft, katamari, particles, ragdoll, "
+              "turntable, vehicle); "
               "call register_module() first");
 }
 

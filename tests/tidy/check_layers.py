@@ -16,7 +16,8 @@ PUBLIC = "physics/include"
 # The layers of the solver, lowest first: each may include those before it.
 PHYSICS = ["physics/src/foundation", "physics/src/math", "physics/src/geometry", "physics/src/collision",
            "physics/src/constraint_graph", "physics/src/state"]
-MODULES = ["modules/core", "modules/fields", "modules/character", "modules/ragdoll", "modules/vehicle", "modules/destruction"]
+MODULES = ["modules/core", "modules/fields", "modules/character", "modules/particles", "modules/ragdoll", "modules/vehicle",
+           "modules/destruction"]
 SERVER_LOW = ["server/util", "server/config", "server/metrics", "server/auth", "server/tls"]
 GENERATED = "generated"  # *.pb.h
 # Folder (the longest prefix wins) -> layers that it may include besides BASE.
@@ -40,6 +41,7 @@ LAYERS = {
     "modules/player_interaction": [PUBLIC],
     "modules/fields": [PUBLIC, "modules/core"],
     "modules/character": [PUBLIC, "modules/core"],
+    "modules/particles": [PUBLIC, "modules/core"],
     "modules/ragdoll": [PUBLIC, "modules/core"],
     "modules/ragdoll/gltf": [PUBLIC, "modules/ragdoll"],
     "modules/vehicle": [PUBLIC, "modules/core"],

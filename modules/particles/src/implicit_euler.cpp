@@ -18,7 +18,7 @@ namespace {
 using Vectors = std::vector<Vec3>;
 
 constexpr int newton_iterations_max = 12;
-constexpr int solver_iterations_max = 200;
+constexpr int solver_iterations_max = 150;
 
 SpringBlock block_of(const ParticleSpring& spring, const Vectors& x, const Vectors& v, double mass,
                      double h) {

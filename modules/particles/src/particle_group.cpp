@@ -52,6 +52,25 @@ void hit_plane(const ParticleGroupDef& def, const ParticleSupport& plane, Vec3 b
 
 }  // namespace
 
+namespace {
+
+bool has_room_for_springs(std::size_t springs, const ParticleGroupDef& def) {
+    return springs <= ParticleGroupDef::springs_max &&
+           springs * def.substeps <= ParticleGroupDef::springs_max;
+}
+
+bool valid(const ParticleSpring& spring, std::size_t particles) {
+    const Vec3 p = abs(spring.anchor);
+    const double far = limits::max_coordinate;
+    const auto within = [](double x, double most) { return x >= 0 && x <= most; };
+    return spring.a < particles && spring.a != spring.b &&
+           (spring.b < particles || spring.b == spring_anchor) && p.x <= far && p.y <= far &&
+           p.z <= far && within(spring.rest_length, 1e4) && within(spring.stiffness, 1e9) &&
+           within(spring.damping, 1e6);
+}
+
+}  // namespace
+
 ParticleGroup::ParticleGroup() : scratch_(std::make_unique<ParticleScratch>()) {}
 ParticleGroup::ParticleGroup(ParticleGroup&&) noexcept = default;
 ParticleGroup& ParticleGroup::operator=(ParticleGroup&&) noexcept = default;
@@ -65,6 +84,10 @@ Result<ParticleGroup> ParticleGroup::create(const ParticleGroupDef& def) {
 
 Status ParticleGroup::set_def(const ParticleGroupDef& def) {
     if (Status s = check(def); !s.ok()) return s;
+    if (!has_room_for_springs(springs_.size(), def))
+        return Error{ErrorCode::resource_exhausted,
+                     "springs times substeps is " + std::to_string(springs_.size() * def.substeps) +
+                         "; the maximum is 20000"};
     if (def.cosmetic && !def_.cosmetic) clear();
     if (def.planar && !def_.planar) {
         for (Vec3& p : positions_) p.z = 0;
@@ -101,20 +124,6 @@ Status ParticleGroup::add(std::span<const ParticleStart> particles) {
     }
     return {};
 }
-
-namespace {
-
-bool valid(const ParticleSpring& spring, std::size_t particles) {
-    const Vec3 p = abs(spring.anchor);
-    const double far = limits::max_coordinate;
-    const auto within = [](double x, double most) { return x >= 0 && x <= most; };
-    return spring.a < particles && spring.a != spring.b &&
-           (spring.b < particles || spring.b == spring_anchor) && p.x <= far && p.y <= far &&
-           p.z <= far && within(spring.rest_length, 1e4) && within(spring.stiffness, 1e9) &&
-           within(spring.damping, 1e6);
-}
-
-}  // namespace
 
 Status ParticleGroup::add_springs(std::span<const ParticleSpring> springs) {
     if (springs.size() > ParticleGroupDef::springs_max - springs_.size())
@@ -292,8 +301,8 @@ void ParticleGroup::check_loaded(StateVisitor& v) const {
         if (def_.planar && (positions_[k].z != 0 || velocities_[k].z != 0))
             v.fail("positions", "leave the xy plane in a planar group");
     }
-    if (springs_.size() > ParticleGroupDef::springs_max)
-        v.fail("springs", "has more than 100000 elements");
+    if (!has_room_for_springs(springs_.size(), def_))
+        v.fail("springs", "times substeps is more than 20000");
     if (def_.cosmetic && size() + springs_.size() > 0)
         v.fail("size", "is not 0 for cosmetic particles, which clients simulate");
     for (const ParticleSpring& spring : springs_)

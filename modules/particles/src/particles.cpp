@@ -33,25 +33,26 @@ std::vector<ParticleKey> Particles::groups() const {
     return keys;
 }
 
-std::size_t Particles::count_max_except(ParticleKey key) const {
-    std::size_t sum = 0;
+double Particles::work_except(ParticleKey key) const {
+    double sum = 0;
     for (const Entry& entry : entries_)
-        if (entry.key != key) sum += entry.group.def().count_max;
+        if (entry.key != key) sum += work_of(entry.group.def());
     return sum;
 }
 
-Status Particles::check_count(ParticleKey key, const ParticleGroupDef& def) const {
-    const std::size_t sum = count_max_except(key) + def.count_max;
-    if (sum <= particles_max) return {};
-    return Error{ErrorCode::resource_exhausted, "count_max of all groups is " +
-                                                    std::to_string(sum) + "; it must be at most " +
-                                                    std::to_string(particles_max)};
+Status Particles::check_work(ParticleKey key, const ParticleGroupDef& def) const {
+    const double sum = work_except(key) + work_of(def);
+    if (sum <= work_max) return {};
+    return Error{ErrorCode::resource_exhausted,
+                 "the groups need " + std::to_string(static_cast<std::int64_t>(sum)) +
+                     " units of work per step; the maximum is 4000000; reduce count_max, substeps "
+                     "or flow.octaves"};
 }
 
 Result<ParticleKey> Particles::add(const World& world, const ParticleGroupDef& def) {
     if (entries_.size() >= groups_max)
         return Error{ErrorCode::resource_exhausted, "there are 64 groups already"};
-    if (Status s = check_count({}, def); !s.ok()) return s.error();
+    if (Status s = check_work({}, def); !s.ok()) return s.error();
     Result<ParticleGroup> group = ParticleGroup::create(def);
     if (!group.ok()) return group.error();
     if (entries_.empty()) time_ = world.time();
@@ -69,7 +70,7 @@ Status Particles::remove(ParticleKey key) {
 Status Particles::set(ParticleKey key, const ParticleGroupDef& def) {
     Entry* entry = find(key);
     if (entry == nullptr) return Error{ErrorCode::not_found, "no group has this key"};
-    if (Status s = check_count(key, def); !s.ok()) return s;
+    if (Status s = check_work(key, def); !s.ok()) return s;
     return entry->group.set_def(def);
 }
 
@@ -122,8 +123,7 @@ void Particles::visit(StateVisitor& v) {
 
 void Particles::check_loaded(StateVisitor& v) const {
     if (v.failed()) return;
-    if (count_max_except({}) > particles_max)
-        v.fail("groups", "have more than 400000 particles by their count_max");
+    if (!(work() <= work_max)) v.fail("groups", "need more than 4000000 units of work per step");
     for (std::size_t k = 0; k < entries_.size(); k++) {
         const std::uint32_t key = entries_[k].key.number;
         if (key == 0 || key > last_key_ || (k > 0 && key <= entries_[k - 1].key.number))

@@ -170,9 +170,13 @@ TEST(ParticlesState, rejects_corrupted_bytes) {
 TEST(ParticlesState, limits_are_errors) {
     World world = test::make_world();
     Particles& module = particles_of(world);
-    for (int k = 0; k < 4; k++) test::must(module.add(world, {.count_max = 100000}));
+    for (int k = 0; k < 10; k++) test::must(module.add(world, {.count_max = 100000}));
+    EXPECT_EQ(module.work(), 10 * 1e5 * 4);
     EXPECT_EQ(module.add(world, {.count_max = 1}).error().message,
-              "count_max of all groups is 400001; it must be at most 400000");
+              "the groups need 4000004 units of work per step; the maximum is 4000000; reduce "
+              "count_max, substeps or flow.octaves");
+    EXPECT_EQ(module.set(module.groups()[0], {.substeps = 64}).ok(), true) << "1000 particles";
+    EXPECT_FALSE(module.set(module.groups()[0], {.substeps = 64, .count_max = 100000}).ok());
     EXPECT_EQ(module.remove({99}).error().code, ErrorCode::not_found);
     test::must(module.remove(module.groups()[0]));
     ParticleGroup& group = *module.group(test::must(module.add(world, {.count_max = 2})));

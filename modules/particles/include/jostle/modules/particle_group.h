@@ -81,7 +81,8 @@ struct ParticleGroupDef {
     static constexpr std::size_t particles_max = 100000;
     /// Maximum number of particles that attract each other: the cost is quadratic.
     static constexpr std::size_t attracting_max = 2048;
-    static constexpr std::size_t springs_max = 100000;
+    /// Maximum number of springs of a group; with several substeps, of springs times substeps.
+    static constexpr std::size_t springs_max = 20000;
 
     ParticleIntegrator integrator = ParticleIntegrator::verlet;
     std::uint32_t substeps = 1;      ///< per step, 1 to 64
@@ -135,6 +136,9 @@ struct ParticleEnvironment {
 /// Returns an error that names the first invalid field of a definition.
 physics::Status check(const ParticleGroupDef& def);
 
+/// Returns an upper bound of the work of a step with count_max particles, in units of about 0.2 us.
+double work_of(const ParticleGroupDef& def);
+
 /// Particles of one definition. Not thread-safe.
 class ParticleGroup {
 public:
@@ -163,7 +167,7 @@ public:
     /// Adds particles. Returns invalid_argument, naming the index, or resource_exhausted above
     /// count_max; nothing is added then.
     physics::Status add(std::span<const ParticleStart> particles);
-    /// Adds springs. Errors: as add(), or above springs_max.
+    /// Adds springs. Errors: as add(); resource_exhausted above springs_max.
     physics::Status add_springs(std::span<const ParticleSpring> springs);
     /// Removes all particles and springs.
     void clear();

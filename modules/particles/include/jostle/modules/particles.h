@@ -33,8 +33,9 @@ struct ParticleKey {
 /// Module that owns the particles of a world. Tag: "particles".
 class Particles : public physics::Module {
 public:
-    /// Maximum number of groups, and of particles of all groups by their count_max.
-    static constexpr std::size_t groups_max = 64, particles_max = 400000;
+    static constexpr std::size_t groups_max = 64;  ///< maximum number of groups
+    /// Maximum of work(): a step takes less than about a second even with extreme settings.
+    static constexpr double work_max = 4e6;
     /// m/s; see above.
     static constexpr double wake_speed = 0.02;
     /// Points that the channel "particles" publishes; the first ones of each group in order.
@@ -46,12 +47,14 @@ public:
     ~Particles() override;
 
     /// Adds a group. Returns invalid_argument, naming the field, or resource_exhausted above
-    /// groups_max or particles_max.
+    /// groups_max or work_max.
     physics::Result<ParticleKey> add(const physics::World& world, const ParticleGroupDef& def);
     /// Removes a group. Returns not_found for an unknown key.
     physics::Status remove(ParticleKey key);
     /// Replaces the definition of a group. Errors as add(), and not_found.
     physics::Status set(ParticleKey key, const ParticleGroupDef& def);
+    /// Sum of work_of() of the groups that the world simulates.
+    double work() const { return work_except({}); }
     /// Keys of all groups, in the order of add().
     std::vector<ParticleKey> groups() const;
     /// Returns a group; null for an unknown key. Valid until add() or remove().
@@ -88,8 +91,8 @@ private:
     };
 
     Entry* find(ParticleKey key);
-    std::size_t count_max_except(ParticleKey key) const;
-    physics::Status check_count(ParticleKey key, const ParticleGroupDef& def) const;
+    double work_except(ParticleKey key) const;
+    physics::Status check_work(ParticleKey key, const ParticleGroupDef& def) const;
     void refresh_fields(const physics::World& world);
     void check_loaded(physics::StateVisitor& v) const;
 

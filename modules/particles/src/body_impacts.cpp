@@ -21,13 +21,36 @@ constexpr int impacts_max = 4;
 // Shapes near a group whose bounds are tested before a query; with more, each particle queries.
 constexpr std::size_t near_shapes_max = 48;
 
+// Signed distance of a point from a shape, and the direction out of it.
+struct PointDistance {
+    double distance;
+    Vec3 normal;
+};
+
+// Of the shape alone if it is convex or a plane: a search over all shapes costs much more near
+// height fields and meshes.
+std::optional<PointDistance> distance_to(const World& world, const Queries& queries, ShapeId id,
+                                         Vec3 point, double reach, const QueryFilter& filter) {
+    constexpr double probe = 1e-3;  // m, radius of a ball at the point
+    const Result<ShapeState> shape = world.shape(id);
+    const Result<BodyState> body = world.body(shape.ok() ? shape->body : BodyId{});
+    if (body.ok()) {
+        const auto apart =
+            distance(Sphere{probe}, {point, {}}, shape->geometry, compose(body->pose, shape->pose));
+        if (apart.ok()) return PointDistance{apart->distance + probe, -apart->normal};
+    }
+    const auto closest = queries.closest_point(point, reach, filter);
+    if (!closest.ok() || !*closest) return std::nullopt;
+    return PointDistance{(*closest)->distance, (*closest)->normal};
+}
+
 // The particle starts inside a shape, because the shape moved onto it: leave by the nearest point.
-std::optional<ShapeImpact> leave_shape(const Queries& queries, Vec3 from, double radius,
+std::optional<ShapeImpact> leave_shape(const World& world, const Queries& queries, ShapeId shape,
+                                       BodyId body, Vec3 from, double radius,
                                        const QueryFilter& filter) {
-    const auto closest = queries.closest_point(from, radius + skin, filter);
-    if (!closest.ok() || !*closest || (*closest)->distance >= radius) return std::nullopt;
-    const ClosestPoint& at = **closest;
-    return ShapeImpact{at.body, at.point + at.normal * (radius + skin), at.normal, 0};
+    const auto at = distance_to(world, queries, shape, from, radius + skin, filter);
+    if (!at || at->distance >= radius) return std::nullopt;
+    return ShapeImpact{body, from + at->normal * (radius + skin - at->distance), at->normal, 0};
 }
 
 ParticleSupport support_of(const ShapeImpact& impact, const SurfaceAtImpact& surface) {
@@ -36,22 +59,27 @@ ParticleSupport support_of(const ShapeImpact& impact, const SurfaceAtImpact& sur
 
 }  // namespace
 
-std::optional<ShapeImpact> find_impact(const Queries& queries, Vec3 from, Vec3 to, double radius,
-                                       const QueryFilter& filter) {
-    const Vec3 motion = to - from;
-    if (motion == Vec3{}) return std::nullopt;
+std::optional<ShapeImpact> find_impact(const World& world, const Queries& queries, Vec3 from,
+                                       Vec3 to, double radius, const QueryFilter& filter) {
+    // A particle at rest is tested for shapes that moved onto it.
+    const bool still = to == from;
+    const Vec3 motion = still ? Vec3{skin, 0, 0} : to - from;
     if (radius == 0) {
         const auto hit = queries.cast_ray({from, motion}, filter);
         if (!hit.ok() || !*hit) return std::nullopt;
         const RayHit& at = **hit;
-        if (at.fraction == 0) return leave_shape(queries, from, radius, filter);
+        if (at.fraction == 0)
+            return leave_shape(world, queries, at.shape, at.body, from, radius, filter);
+        if (still) return std::nullopt;
         return ShapeImpact{at.body, at.point + at.normal * skin, at.normal, at.fraction};
     }
     const auto hit = queries.cast_shape(
         {.geometry = Sphere{radius}, .pose = {from, {}}, .motion = motion}, filter);
     if (!hit.ok() || !*hit) return std::nullopt;
     const ShapeCastHit& at = **hit;
-    if (at.fraction == 0) return leave_shape(queries, from, radius, filter);
+    if (at.fraction == 0)
+        return leave_shape(world, queries, at.shape, at.body, from, radius, filter);
+    if (still) return std::nullopt;
     return ShapeImpact{at.body, from + motion * at.fraction + at.normal * skin, at.normal,
                        at.fraction};
 }
@@ -168,7 +196,7 @@ bool BodyImpacts::move_along_fixed(const Task& task, std::size_t k) const {
     ParticleSupport support;
     for (int n = 0; n < impacts_max; n++) {
         const auto impact =
-            find_impact(task.queries, motion.from, motion.to, def.radius, task.filter);
+            find_impact(*world_, task.queries, motion.from, motion.to, def.radius, task.filter);
         if (!impact) break;
         const Result<BodyState> body = world_->body(impact->body);
         if (!body.ok()) break;
@@ -194,7 +222,7 @@ void BodyImpacts::move(const Task& task, std::size_t k) {
     Motion motion(task, k);
     for (int n = 0; n < impacts_max; n++) {
         const auto impact =
-            find_impact(task.queries, motion.from, motion.to, def.radius, task.filter);
+            find_impact(*world_, task.queries, motion.from, motion.to, def.radius, task.filter);
         if (!impact) break;
         const Result<BodyState> state = world_->body(impact->body);
         if (!state.ok()) break;
@@ -260,8 +288,9 @@ void BodyImpacts::hold(ParticleGroup& group, std::span<const Vec3> before) {
             if (position == run.before[k] ||
                 !run.impacts.may_hit(run.before[k], position, def.radius))
                 continue;
-            const auto impact = find_impact(run.queries, run.before[k], position, def.radius,
-                                            {.categories = def.body_categories});
+            const auto impact =
+                find_impact(*run.impacts.world_, run.queries, run.before[k], position, def.radius,
+                            {.categories = def.body_categories});
             if (impact) position = impact->center;
             if (def.planar) position.z = 0;
         }

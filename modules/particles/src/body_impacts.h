@@ -22,9 +22,9 @@ struct ShapeImpact {
 };
 
 // Returns the first impact with a shape; nullopt if there is none. The only function that queries
-// the world: a batched query can replace it.
-std::optional<ShapeImpact> find_impact(const physics::Queries& queries, physics::Vec3 from,
-                                       physics::Vec3 to, double radius,
+// the world for single particles: a batched query can replace it.
+std::optional<ShapeImpact> find_impact(const physics::World& world, const physics::Queries& queries,
+                                       physics::Vec3 from, physics::Vec3 to, double radius,
                                        const physics::QueryFilter& filter);
 
 // Collects the impulses of a step and applies them at its end. Particles that hit only static and

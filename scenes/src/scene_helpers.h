@@ -65,6 +65,8 @@ SceneDescription harbour();
 SceneDescription parkour();
 SceneDescription race_track();
 SceneDescription demolition();
+SceneDescription stampede();
+SceneDescription stadium();
 SceneDescription katamari();
 SceneDescription bench_pyramid_465();
 SceneDescription bench_pyramid_5050();

@@ -11,12 +11,11 @@ namespace jostle::modules::crowd_detail {
 //
 // Both cases are computed for all neighbours, in short loops without branches, which compilers
 // vectorize.
-void avoid_agents(const RelativeNeighbors& neighbors, float vx, float vy, float horizon, float dt,
-                  HalfPlane* planes) {
+void avoid_agents(const RelativeNeighbors& neighbors, float horizon, float dt, HalfPlane* planes) {
     using Row = std::array<float, neighbors_max>;
     const float per_horizon = 1 / horizon, per_step = 1 / dt;
     const std::size_t count = (neighbors.count + 3) / 4 * 4;  // the rest of the arrays is ignored
-    const auto &[x, y, rx, ry, radii, share, unused] = neighbors;
+    const auto &[x, y, vx, vy, rx, ry, radii, share, unused] = neighbors;
     Row depth, rate, wx, wy, w_squared, along, w, per_w, leg, per_squared, leg_x, leg_y;
     Row normal_x, normal_y, change, overlap, back, inside, end;
     for (std::size_t k = 0; k < count; k++) {
@@ -51,7 +50,7 @@ void avoid_agents(const RelativeNeighbors& neighbors, float vx, float vy, float 
         normal_y[k] = end[k] * (wy[k] * per_w[k]) + (1 - end[k]) * leg_y[k];
         const float leg_change = -(leg_x[k] * rx[k] + leg_y[k] * ry[k]);
         change[k] = end[k] * (radii[k] * rate[k] - w[k]) + (1 - end[k]) * leg_change;
-        change[k] = normal_x[k] * vx + normal_y[k] * vy + share[k] * change[k];
+        change[k] = normal_x[k] * vx[k] + normal_y[k] * vy[k] + share[k] * change[k];
     }
     for (std::size_t k = 0; k < neighbors.count; k++)
         planes[k] = {normal_x[k], normal_y[k], change[k]};

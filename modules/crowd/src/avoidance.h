@@ -18,16 +18,16 @@ namespace jostle::modules::crowd_detail {
 // Neighbours of one agent. Single precision: positions and velocities are relative to the agent.
 struct RelativeNeighbors {
     std::array<float, neighbors_max> x, y;    // m, position relative to the agent
-    std::array<float, neighbors_max> vx, vy;  // m/s, velocity of the agent minus theirs
+    std::array<float, neighbors_max> vx, vy;  // m/s, velocity of the agent
+    std::array<float, neighbors_max> rx, ry;  // m/s, velocity of the agent minus theirs
     std::array<float, neighbors_max> radii;   // m, sum of both radii
     std::array<float, neighbors_max> share;   // part of the correction that the agent takes
     std::size_t count = 0;
 };
 
-// Computes the permitted velocities of an agent that moves at (vx, vy), one half-plane for each
-// neighbour. Agents stay apart for `horizon` s; agents that overlap separate within `dt`.
-void avoid_agents(const RelativeNeighbors& neighbors, float vx, float vy, float horizon, float dt,
-                  HalfPlane* planes);
+// Computes the permitted velocities of an agent, one half-plane for each neighbour. Agents stay
+// apart for `horizon` s; agents that overlap separate within `dt`.
+void avoid_agents(const RelativeNeighbors& neighbors, float horizon, float dt, HalfPlane* planes);
 
 // Permitted velocities beside the nearest point of a wall. (x, y) leads to that point, `distance`
 // is its length (> 0): the agent approaches the point by at most its gap within `horizon` s, or

@@ -65,8 +65,10 @@ struct CrowdScratch {
     NeighborLists walkers, flyers;
     std::vector<physics::Vec3> points;             // positions in plane coordinates, height last
     std::vector<physics::Vec3> velocities;         // m/s, in plane coordinates
+    std::vector<physics::Vec3> wishes;             // m/s, likewise
     std::vector<physics::Vec3> planned;            // m/s, in plane coordinates
     std::vector<std::uint8_t> is_walker, is_flyer;  // living agents by kind
+    std::vector<std::uint8_t> stands;  // at its destination, or has none
     std::vector<double> next_panic;
     std::vector<physics::Vec3> next_flight;
     std::vector<DiscContact> contacts;

@@ -13,9 +13,9 @@ using namespace physics;
 namespace crowd_detail {
 namespace {
 
-constexpr int grain = 32;                      // agents per task
+constexpr int agents_per_task = 32;
 constexpr double overlap_tolerance = 1e-3;     // of the smallest radius
-constexpr int iterations_max = 50;             // of keep_apart()
+constexpr int iterations_max = 100;            // of keep_apart()
 constexpr double grounded_speed = 1;           // m/s: an agent that rises or falls faster is in the air
 constexpr double velocity_change_min = 1e-9;   // m/s: a smaller change must not wake the body
 
@@ -72,7 +72,8 @@ void read_bodies(World& world, CrowdStore& store) {
     scratch.velocities.resize(agents.size());
     scratch.is_walker.resize(agents.size());
     scratch.is_flyer.resize(agents.size());
-    world.parallel_for(count, grain, [&](int first, int last) {
+    scratch.stands.resize(agents.size());
+    world.parallel_for(count, agents_per_task, [&](int first, int last) {
         for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); k++) {
             AgentRecord& record = agents.record[k];
             if (record.alive && record.carrier != Carrier::none) {
@@ -91,6 +92,7 @@ void read_bodies(World& world, CrowdStore& store) {
             }
             scratch.is_walker[k] = is_walker(record);
             scratch.is_flyer[k] = record.alive && !scratch.is_walker[k];
+            scratch.stands[k] = record.arrived || record.destination.aim == Aim::stand;
             scratch.points[k] = store.to_plane(agents.position[k]);
             scratch.velocities[k] = store.to_plane(agents.velocity[k]);
             if (scratch.is_walker[k]) scratch.velocities[k].z = 0;
@@ -116,6 +118,7 @@ void plan(const World& world, CrowdStore& store, double dt) {
     AgentArrays& agents = store.agents;
     CrowdScratch& scratch = store.scratch;
     const std::size_t size = agents.size();
+    scratch.wishes.resize(size);
     scratch.planned.resize(size);
     scratch.next_panic.resize(size);
     scratch.next_flight.resize(size);
@@ -127,22 +130,28 @@ void plan(const World& world, CrowdStore& store, double dt) {
     scratch.walkers.update(world, scratch.points, agents.radius, scratch.is_walker,
                            {store.settings.reach, most, true});
     scratch.flyers.update(world, scratch.points, agents.radius, scratch.is_flyer,
-                          {flock_reach, most, false});
-    world.parallel_for(static_cast<int>(size), grain, [&](int first, int last) {
-        for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); k++) {
-            scratch.near_wall[k] = scratch.leaves[k] = 0;
-            AgentRecord& record = agents.record[k];
-            if (!record.alive) continue;
-            const bool walks = scratch.is_walker[k];
-            spread_panic(store, k, (walks ? scratch.walkers : scratch.flyers).of(k), dt);
-            const Wish wish = wish_of(world, store, k);
-            record.arrived = wish.arrived;
-            scratch.leaves[k] = wish.leaves;
-            if (walks)
-                plan_walker(store, k, wish.velocity, dt);
-            else
-                plan_flyer(store, k, wish.velocity, dt);
-        }
+                          {flock_reach, neighbors_max, false});
+    const auto for_agents = [&](const auto& function) {
+        world.parallel_for(static_cast<int>(size), agents_per_task, [&](int first, int last) {
+            for (auto k = static_cast<std::size_t>(first); k < static_cast<std::size_t>(last); k++)
+                if (agents.record[k].alive) function(k);
+        });
+    };
+    std::ranges::fill(scratch.near_wall, std::uint8_t{0});
+    std::ranges::fill(scratch.leaves, std::uint8_t{0});
+    for_agents([&](std::size_t k) {
+        const Wish wish = wish_of(world, store, k);
+        scratch.wishes[k] = wish.velocity;
+        scratch.leaves[k] = wish.leaves;
+        agents.record[k].arrived = wish.arrived;
+        const NeighborLists& lists = scratch.is_walker[k] ? scratch.walkers : scratch.flyers;
+        spread_panic(store, k, lists.of(k), dt);
+    });
+    for_agents([&](std::size_t k) {
+        if (scratch.is_walker[k])
+            plan_walker(store, k, dt);
+        else
+            plan_flyer(store, k, dt);
     });
     for (std::size_t k = 0; k < size; k++) {
         if (!agents.record[k].alive) continue;

@@ -17,11 +17,6 @@ constexpr float blocked_slowness = 1e4f;  // way through a cell near a wall, rel
 // through it diagonally.
 constexpr double blocked_cells = 0.75;
 
-bool is_inside(Vec2 p, const GoalArea& area) {
-    return absolute(p.x - area.center.x) <= area.half_extents.x &&
-           absolute(p.y - area.center.y) <= area.half_extents.y;
-}
-
 }  // namespace
 
 GridSize size_of(const RouteGrid& grid) {
@@ -71,7 +66,7 @@ bool FlowField::start_from(std::span<const GoalArea> areas) {
     };
     for (const GoalArea& area : areas) {
         for (std::size_t cell = 0; cell < time_.size(); cell++)
-            if (is_inside(center_of(cell), area)) start(cell);
+            if (is_inside(area, center_of(cell))) start(cell);
         const Vec2 at = (area.center - low_) * (1 / cell_);
         if (at.x >= 0 && at.y >= 0 && at.x < size_.columns && at.y < size_.rows)
             start(cell_at(static_cast<std::uint32_t>(at.x), static_cast<std::uint32_t>(at.y)));

@@ -26,6 +26,11 @@ struct GridSize {
 // Returns zeros if the grid has no area.
 GridSize size_of(const RouteGrid& grid);
 
+inline bool is_inside(const GoalArea& area, physics::Vec2 p) {
+    return physics::absolute(p.x - area.center.x) <= area.half_extents.x &&
+           physics::absolute(p.y - area.center.y) <= area.half_extents.y;
+}
+
 class FlowField {
 public:
     void build(const RouteGrid& grid, const WallTree& walls, std::span<const GoalArea> areas);

@@ -11,7 +11,7 @@ namespace {
 
 constexpr double reach_margin = 1.2;      // a search extends by this factor beyond the reach
 constexpr std::size_t spare_points = 8;   // candidates in addition to the neighbours
-constexpr int grain = 64;                 // points per task
+constexpr int points_per_task = 64;
 
 }  // namespace
 
@@ -38,12 +38,12 @@ void NeighborLists::update(const World& world, std::span<const Vec3> points,
     travel_ += square_root(farthest);
     largest_radius_ = *std::ranges::max_element(radii);
     const int count = static_cast<int>(points.size());
-    world.parallel_for(count, grain, [&](int first, int last) {
+    world.parallel_for(count, points_per_task, [&](int first, int last) {
         for (int k = first; k < last; k++) refresh(static_cast<std::size_t>(k), points, radii, active);
     });
     if (std::ranges::none_of(lists_, &List::expired)) return;
     grid_.build(points, radii, active, reach_margin * settings.reach, settings.flat);
-    world.parallel_for(count, grain, [&](int first, int last) {
+    world.parallel_for(count, points_per_task, [&](int first, int last) {
         for (int k = first; k < last; k++)
             if (const auto self = static_cast<std::size_t>(k); lists_[self].expired)
                 search(self, radii[self]);

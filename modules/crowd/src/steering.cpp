@@ -22,11 +22,6 @@ Vec3 approach(Vec3 offset, double speed) {
     return far > 1e-9 ? offset * (minimum(speed, far / stopping_time) / far) : Vec3{};
 }
 
-bool is_inside(const GoalArea& area, Vec2 p) {
-    return absolute(p.x - area.center.x) <= area.half_extents.x &&
-           absolute(p.y - area.center.y) <= area.half_extents.y;
-}
-
 Vec2 nearest_point(const GoalArea& area, Vec2 p) {
     const Vec2 low = area.center - area.half_extents, high = area.center + area.half_extents;
     return {clamp(p.x, low.x, high.x), clamp(p.y, low.y, high.y)};
@@ -69,10 +64,11 @@ Wish goal_wish(CrowdStore& store, std::size_t agent, double speed) {
 }
 
 Wish follow_wish(const World& world, const CrowdStore& store, const Destination& destination,
-                 Vec3 p, double speed) {
+                 Vec3 p, double speed, bool walks) {
     const Result<BodyState> leader = world.body(destination.body);
     if (!leader.ok()) return {};
-    const Vec3 offset = store.to_plane(leader->center) - p;
+    Vec3 offset = store.to_plane(leader->center) - p;
+    if (walks) offset.z = 0;
     const double far = length(offset), left = far - destination.distance;
     const bool arrived = left < 0.5;
     if (!(far > 1e-9) || left <= 0) return {{}, arrived};
@@ -107,7 +103,8 @@ Wish wish_of(const World& world, CrowdStore& store, std::size_t agent) {
             wish = goal_wish(store, agent, speed);
             break;
         case Aim::follow:
-            wish = follow_wish(world, store, record.destination, p, speed);
+            wish = follow_wish(world, store, record.destination, p, speed,
+                               record.kind == AgentKind::walker);
             break;
     }
     if (!panicked || store.agents.flight[agent] == Vec3{}) return wish;
@@ -144,12 +141,13 @@ Vec3 accelerated(const CrowdStore& store, std::size_t agent, Vec3 target, double
 
 // ---- flyers ----
 
-void plan_flyer(CrowdStore& store, std::size_t agent, Vec3 wish, double dt) {
+void plan_flyer(CrowdStore& store, std::size_t agent, double dt) {
     const AgentArrays& agents = store.agents;
     const CrowdScratch& scratch = store.scratch;
     const AgentRecord& record = agents.record[agent];
     const FlockDef& flock = store.flocks[record.flock];
     const Vec3 p = scratch.points[agent], v = scratch.velocities[agent];
+    const Vec3 wish = scratch.wishes[agent];
     Vec3 apart, velocity_sum, offset_sum;
     int mates = 0;
     for (const NearPoint& near : scratch.flyers.of(agent)) {

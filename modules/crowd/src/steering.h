@@ -26,9 +26,9 @@ Wish wish_of(const physics::World& world, CrowdStore& store, std::size_t agent);
 void spread_panic(CrowdStore& store, std::size_t agent, std::span<const NearPoint> neighbors,
                   double dt);
 
-// Planned velocities in plane coordinates.
-void plan_walker(CrowdStore& store, std::size_t agent, physics::Vec3 wish, double dt);
-void plan_flyer(CrowdStore& store, std::size_t agent, physics::Vec3 wish, double dt);
+// Plan the velocity of an agent from the wishes of all agents, in plane coordinates.
+void plan_walker(CrowdStore& store, std::size_t agent, double dt);
+void plan_flyer(CrowdStore& store, std::size_t agent, double dt);
 
 // Limits the change of a velocity to the acceleration of the agent.
 physics::Vec3 accelerated(const CrowdStore& store, std::size_t agent, physics::Vec3 target,

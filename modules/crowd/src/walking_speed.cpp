@@ -12,6 +12,7 @@ namespace {
 constexpr double steepness = 1.913;  // 1/m^2
 constexpr double jam_density = 5.4;  // 1/m^2
 constexpr double slowest = 0.02;     // relative: people shuffle even in a jam
+constexpr double same_side_cosine = 0.6;
 
 // Part of a disc of radius 1 that a line at distance t from its centre cuts off.
 double segment_of_disc(double t) {
@@ -29,8 +30,15 @@ double relative_walking_speed(double density) {
 
 double density_ahead(double radius, double ahead, std::span<const NearWall> walls) {
     double open = 1;
-    for (const NearWall& wall : walls)
-        if (wall.distance < radius) open -= segment_of_disc(wall.distance / radius);
+    for (std::size_t k = 0; k < walls.size() && walls[k].distance < radius; k++) {
+        // The sides of a bent wall face the same way and count once. The end of a wall hides little,
+        // unless it is a corner in front of the walker.
+        bool counted = walls[k].is_end && k > 0;
+        for (std::size_t j = 0; j < k && !counted; j++)
+            counted = dot(walls[j].offset, walls[k].offset) >
+                      same_side_cosine * walls[j].distance * walls[k].distance;
+        if (!counted) open -= segment_of_disc(walls[k].distance / radius);
+    }
     // The walker itself is in the middle of the straight side: half of it counts.
     return (ahead + 0.5) / (0.5 * pi * radius * radius * maximum(open, 0.1));
 }

@@ -88,7 +88,8 @@ void WallTree::visit_near(Vec2 point, double reach, const Visit& visit) const {
 void WallTree::find(Vec2 point, double reach, NearWalls& found) const {
     found.count = 0;
     visit_near(point, reach, [&](const Wall& wall, Vec2 offset, double squared) {
-        NearWall near{offset, square_root(squared)};
+        NearWall near{offset, square_root(squared),
+                      offset == wall.from - point || offset == wall.to - point};
         if (near.distance == 0) {  // on the wall: any side
             const Vec2 along = wall.to - wall.from;
             const double size = length(along);

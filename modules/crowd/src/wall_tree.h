@@ -23,6 +23,7 @@ struct Wall {
 struct NearWall {
     physics::Vec2 offset;  // m, from the query point; of unit length if the distance is 0
     double distance = 0;   // m
+    bool is_end = false;   // the nearest point is an end of the wall
 };
 
 // Maximum number of walls that a query returns.

@@ -121,11 +121,11 @@ struct RouteGrid {
 /// Steering of a flock. A flyer accelerates by the sum of the rules, within its acceleration.
 /// Source: C. Reynolds, "Flocks, herds and schools", SIGGRAPH 1987.
 struct FlockDef {
-    double reach = 3;       ///< m, 0.1 to 100: distance at which flyers see each other
+    double reach = 6;       ///< m, 0.1 to 100: distance at which flyers see the nearest 16 others
     double separation = 1;  ///< m, 0 to 100: distance that flyers keep from each other
-    double separation_weight = 6;  ///< m/s^2, 0 to 1e3: away from neighbours nearer than that
-    double alignment_weight = 1;   ///< 1/s, 0 to 100: to the mean velocity of the neighbours
-    double cohesion_weight = 0.3;  ///< 1/s^2, 0 to 100: to the mean position of the neighbours
+    double separation_weight = 10;  ///< m/s^2, 0 to 1e3: away from neighbours nearer than that
+    double alignment_weight = 6;   ///< 1/s, 0 to 100: to the mean velocity of the neighbours
+    double cohesion_weight = 2;    ///< 1/s^2, 0 to 100: to the mean position of the neighbours
     double aim_weight = 0.5;       ///< 1/s, 0 to 100: to the velocity of its own destination
     /// Flyers turn back beyond `roam` m from `home`; 0 to 1e5, 0: no limit.
     double roam = 0;
@@ -136,12 +136,12 @@ struct FlockDef {
 struct CrowdSettings {
     std::uint32_t seed = 1;      ///< of the symmetry breaking
     bool vertical = false;       ///< walkers move along x and y, as in a planar world
-    std::uint32_t neighbors = 10;  ///< 1 to 16, largest number of agents that an agent avoids
+    std::uint32_t neighbors = 10;  ///< 1 to 16, largest number of agents that a walker avoids
     double reach = 2.5;          ///< m, 0.2 to 50, distance at which walkers see each other
     double horizon = 2;          ///< s, 0.05 to 20: walkers avoid collisions within this time
     double wall_horizon = 0.5;   ///< s, 0.05 to 20: likewise with walls
-    /// rad, -0.5 to 0.5: walkers veer to the right of their way by this angle while others are
-    /// near, so that opposing streams pass each other. 0: no preference.
+    /// rad, -0.5 to 0.5: walkers veer to the right by this angle while others come towards them, so
+    /// that opposing streams pass each other. 0: no preference.
     double side_preference = 0.03;
     double noise = 0.01;  ///< rad, 0 to 0.5: random change of direction, which breaks symmetry
 

@@ -1,13 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "bench/module_cases.h"
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstdint>
+#include <cstdio>
 #include <stdexcept>
 #include <vector>
 
 #include "jostle/modules/character.h"
+#include "jostle/modules/crowd.h"
 #include "jostle/modules/destruction.h"
 #include "jostle/modules/fields.h"
 #include "jostle/modules/particles.h"
@@ -338,6 +341,101 @@ private:
     Particles& particles_;
 };
 
+// What the agents of a crowd move.
+enum class CrowdBodies { none, kinematic, dynamic };
+
+// Agents on a circle that swap places with the opposite one, in the proportions of the example
+// "Circle" of RVO2: a circumference of 3.35 radii per agent.
+template <CrowdBodies bodies>
+class CrowdCircle final : public ModuleScene {
+public:
+    explicit CrowdCircle(int count) : crowd_(add<Crowd>(world_)) {
+        if (bodies == CrowdBodies::dynamic)
+            must(world_.create_body({.type = BodyType::static_body},
+                                    {.geometry = Plane{}, .material = {.friction = 0}}));
+        const double circle = 3.35 * radius * count / (2 * pi);
+        for (int k = 0; k < count; k++) {
+            const SinCos turn = sin_cos(2 * pi * k / count);
+            const Vec3 p{circle * turn.cos, 0.9, circle * turn.sin};
+            AgentDef def{.position = p, .radius = radius, .speed = 1.3};
+            def.destination = {.aim = Aim::point, .point = -p};
+            const BodyType type =
+                bodies == CrowdBodies::dynamic ? BodyType::dynamic : BodyType::kinematic;
+            if (bodies != CrowdBodies::none)
+                def.body = must(world_.create_body(
+                    {.type = type, .pose = {p, {}}},
+                    {.geometry = Capsule{radius, 0.9 - radius},
+                     .material = {.friction = 0, .friction_rule = Combine::multiply},
+                     .mass = 75}));
+            must(crowd_.add(world_, def));
+        }
+    }
+    void step(int k) override {
+        must(world_.step(1.0 / 60));
+        if (k % 60 == 0) overlap_ = std::max(overlap_, largest_overlap());
+        if (arrival_ == 0 && crowd_.counts().arrived == crowd_.counts().agents)
+            arrival_ = world_.time();
+    }
+    std::string errors() override {
+        char text[128];
+        std::snprintf(text, sizeof text,
+                      "overlap %.2f %% of a radius, %u of %u arrived, the last one after %.0f s",
+                      100 * overlap_ / radius, crowd_.counts().arrived, crowd_.counts().agents,
+                      arrival_ > 0 ? arrival_ : world_.time());
+        return text;
+    }
+
+private:
+    static constexpr double radius = 0.25;  // m
+    // Of two agents, m.
+    double largest_overlap() {
+        std::vector<Vec3> points;
+        for (const AgentId id : crowd_.ids())
+            points.push_back(must(crowd_.state(world_, id)).position);
+        std::sort(points.begin(), points.end(), [](Vec3 a, Vec3 b) { return a.x < b.x; });
+        double worst = 0;
+        for (std::size_t a = 0; a < points.size(); a++)
+            for (std::size_t b = a + 1; b < points.size() && points[b].x - points[a].x < 2 * radius;
+                 b++) {
+                Vec3 offset = points[b] - points[a];
+                offset.y = 0;
+                worst = std::max(worst, 2 * radius - length(offset));
+            }
+        return worst;
+    }
+
+    World world_;
+    Crowd& crowd_;
+    double overlap_ = 0, arrival_ = 0;  // m, s
+};
+
+// A flock of kinematic balls around a home.
+class Flock final : public ModuleScene {
+public:
+    explicit Flock(int count) : crowd_(add<Crowd>(world_)) {
+        must(crowd_.add_flock({.roam = 30}));
+        for (int k = 0; k < count; k++) {
+            const Vec3 p{1.2 * (k % 10), 1.2 * (k / 10 % 10), 1.2 * (k / 100)};
+            const SinCos turn = sin_cos(static_cast<double>(k));
+            const BodyId body =
+                must(world_.create_body({.type = BodyType::kinematic,
+                                         .pose = {p, {}},
+                                         .linear_velocity = {turn.cos, 0, turn.sin}},
+                                        {.geometry = Sphere{0.1}}));
+            must(crowd_.add(world_, {.body = body,
+                                     .kind = AgentKind::flyer,
+                                     .radius = 0.1,
+                                     .speed = 4,
+                                     .max_speed = 6}));
+        }
+    }
+    void step(int) override { must(world_.step(1.0 / 60)); }
+
+private:
+    World world_;
+    Crowd& crowd_;
+};
+
 template <class Scene>
 std::unique_ptr<ModuleScene> make(int count) {
     return std::make_unique<Scene>(count);
@@ -350,6 +448,10 @@ std::unique_ptr<ModuleScene> figures(int count) {
 
 constexpr ModuleCase cases[] = {
     {"character_hills", 100, make<Walkers>},
+    {"crowd_circle", 1000, make<CrowdCircle<CrowdBodies::none>>, 24000},
+    {"crowd_circle_kinematic", 1000, make<CrowdCircle<CrowdBodies::kinematic>>, 24000},
+    {"crowd_circle_dynamic", 200, make<CrowdCircle<CrowdBodies::dynamic>>, 7200},
+    {"crowd_flock", 1000, make<Flock>},
     {"destruction_whole", 20, make<Walls<false>>},
     {"destruction_breaking", 36, make<Walls<true>>},
     {"destruction_burst_boxes", 2000, make<Burst<false>>},

@@ -22,7 +22,8 @@ the solver.
 Columns: objects; milliseconds per step: mean, 99th percentile, worst; microseconds of the mean per
 object; steps that took longer than 1/60 s; RMS distance of the objects from the closed form of their
 motion at the end, for the cases that have one. throw_bodies is the peer of the particles_throw
-cases: the same throw with rigid bodies. It has the closed form of the same linear drag.
+cases: the same throw with rigid bodies. It has the closed form of the same linear drag. Some cases add a line
+with other errors.
 
 Examples:
   jostle-bench modules
@@ -32,7 +33,7 @@ Exit status: 0 success, 1 the file could not be written, 2 invalid flags.)";
 
 struct Flags {
     std::vector<std::string> cases;
-    int objects = 0, steps = 600;
+    int objects = 0, steps = 0;
     std::string json;
 };
 
@@ -41,6 +42,7 @@ struct Row {
     int objects = 0;
     std::vector<double> step_ms;
     std::optional<double> error;  // m
+    std::string errors;
 };
 
 Row measure(const ModuleCase& one, const Flags& flags) {
@@ -48,13 +50,15 @@ Row measure(const ModuleCase& one, const Flags& flags) {
     show_progress(row.name + ", " + std::to_string(row.objects) + " objects");
     const std::unique_ptr<ModuleScene> scene = one.make(row.objects);
     constexpr int run_in = 120;
-    for (int k = 0; k < run_in + flags.steps; k++) {
+    const int steps = flags.steps > 0 ? flags.steps : (one.steps > 0 ? one.steps : 600);
+    for (int k = 0; k < run_in + steps; k++) {
         const double began = cpu_seconds();
         scene->step(k);
         if (k >= run_in) row.step_ms.push_back(1e3 * (cpu_seconds() - began));
     }
     show_progress("");
     row.error = scene->error();
+    row.errors = scene->errors();
     return row;
 }
 
@@ -73,6 +77,7 @@ void print(const Row& row) {
                 percentile_99(row.step_ms), max_of(row), 1e3 * ms / row.objects, count_late(row));
     if (row.error) std::printf(" %10.2e", *row.error);
     std::printf("\n");
+    if (!row.errors.empty()) std::printf("    %s\n", row.errors.c_str());
 }
 
 nlohmann::ordered_json to_json(const Row& row) {
@@ -83,6 +88,7 @@ nlohmann::ordered_json to_json(const Row& row) {
         {"ms_worst", max_of(row)}, {"us_per_object", 1e3 * ms / row.objects},
         {"late", count_late(row)}};
     if (row.error) json["error_m"] = *row.error;
+    if (!row.errors.empty()) json["errors"] = row.errors;
     return json;
 }
 
@@ -125,7 +131,9 @@ void add_modules(CLI::App& app, int& status) {
                      "Number of objects [default: that of the case; 1 to 100000]")
         ->type_name("N")
         ->check(CLI::Range(1, 100000).description(""));
-    command->add_option("--steps", flags->steps, "Timed steps [default: 600; 1 to 1000000]")
+    command
+        ->add_option("--steps", flags->steps,
+                     "Timed steps [default: 600, or that of the case; 1 to 1000000]")
         ->type_name("N")
         ->check(CLI::Range(1, 1000000).description(""));
     command->add_option("--json", flags->json, "Write the rows as JSON")->type_name("FILE");

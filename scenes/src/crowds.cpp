@@ -40,7 +40,7 @@ void add_routes(SceneModule& crowd, double half_x, double half_z, double cell) {
                              .bodies = {}});
 }
 
-constexpr int leave = 1, next_goal = 2;                 // GoalEnd
+constexpr int leave = 1, next_goal = 2;                  // GoalEnd
 constexpr int dynamic_bodies = 1, kinematic_bodies = 0;  // bodies of a group
 
 }  // namespace
@@ -72,11 +72,10 @@ SceneDescription stampede() {
     add_goal(crowd, 1, {16, 0, 16}, {2.5, 0, 2.5}, next_goal, 2);
     add_goal(crowd, 2, {16, 0, -16}, {2.5, 0, 2.5}, next_goal, 3);
     add_goal(crowd, 3, {-16, 0, 16}, {2.5, 0, 2.5}, next_goal, 0);
-    crowd.objects.push_back({.list = "flocks",
-                             .settings = {{"flock_roam", 16},
-                                          {"flock_home_y", 14},
-                                          {"flock_reach", 5}},
-                             .bodies = {}});
+    crowd.objects.push_back(
+        {.list = "flocks",
+         .settings = {{"flock_roam", 16}, {"flock_home_y", 14}, {"flock_reach", 5}},
+         .bodies = {}});
     for (int k = 0; k < 4; k++)
         crowd.objects.push_back({.list = "groups",
                                  .settings = {{"group_count", 75},
@@ -142,8 +141,10 @@ SceneDescription stadium() {
     // The outer wall, with a gate of 3 m in the middle of each side.
     for (const double side : {-1.0, 1.0})
         for (const double half : {-1.0, 1.0}) {
-            add_wall(scene, crowd, "wall", {half * 15.75, 1.5, side * 22}, {14.25, 1.5, 0.25}, concrete);
-            add_wall(scene, crowd, "wall", {side * 30, 1.5, half * 11.75}, {0.25, 1.5, 10.25}, concrete);
+            add_wall(scene, crowd, "wall", {half * 15.75, 1.5, side * 22}, {14.25, 1.5, 0.25},
+                     concrete);
+            add_wall(scene, crowd, "wall", {side * 30, 1.5, half * 11.75}, {0.25, 1.5, 10.25},
+                     concrete);
         }
     // Railings between the blocks of seats and the pitch.
     for (const double side : {-1.0, 1.0})
@@ -168,10 +169,10 @@ SceneDescription stadium() {
                                               {"group_slows_in_crowds", 1}},
                                  .bodies = {}});
     SceneModule walkers{.tag = "character", .settings = {}, .bodies = {}, .state = {}};
-    walkers.bodies["referee"] = scene.bodies.size();
-    SceneBody referee = dynamic_body("referee", {0, 0.91, 0}, Capsule{0.28, 0.6});
-    referee.body.type = BodyType::kinematic;
-    scene.bodies.push_back(colored(referee, 0xffb703));
+    walkers.bodies["steward"] = scene.bodies.size();
+    SceneBody steward = dynamic_body("steward", {0, 0.91, 0}, Capsule{0.28, 0.6});
+    steward.body.type = BodyType::kinematic;
+    scene.bodies.push_back(colored(steward, 0xffb703));
     SceneBody ball = dynamic_body("ball", {1, 0.12, 0}, Sphere{0.11});
     ball.shapes[0].mass = 0.43;
     ball.shapes[0].material = {.friction = 0.6, .restitution = 0.7};

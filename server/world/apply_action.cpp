@@ -7,6 +7,7 @@
 
 #include "jostle/base/check.h"
 #include "jostle/modules/blast.h"
+#include "jostle/modules/crowd.h"
 #include "jostle/modules/destruction.h"
 #include "jostle/modules/player_interaction.h"
 
@@ -22,6 +23,8 @@ constexpr double blast_strength = 1000;
 // Breaking distance per blast radius and blast speed (m per m and m/s). Breakable walls within it
 // break.
 constexpr double blast_break_scale = 1.0 / 60;
+// Distance per blast radius within which a blast frightens the agents of a crowd.
+constexpr double blast_alarm_scale = 3;
 // Limit of shapes that overlap a spawned body. The number of pairs grows with the square of the
 // bodies in one place.
 constexpr std::size_t spawn_overlaps_max = 40;
@@ -128,6 +131,8 @@ struct Apply {
         if (!pushes.ok()) return from_solver(pushes.error());
         if (auto* walls = dynamic_cast<modules::Destruction*>(state.world.module("destruction")))
             walls->break_near(state.world, c.center, blast_break_scale * c.radius * c.speed);
+        if (auto* crowd = dynamic_cast<modules::Crowd*>(state.world.module("crowd")))
+            static_cast<void>(crowd->alarm(c.center, blast_alarm_scale * c.radius));
         Status status;
         for (const modules::BlastImpulse& p : *pushes) {
             const Status pushed = modules::apply_limited_impulse(

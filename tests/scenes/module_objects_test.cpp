@@ -11,6 +11,7 @@
 
 #include <memory>
 
+#include "jostle/modules/crowd.h"
 #include "jostle/modules/destruction.h"
 #include "jostle/modules/fields.h"
 #include "jostle/modules/fracture_file.h"
@@ -24,6 +25,7 @@
 namespace jostle::scenes {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 
 std::string with_modules(const std::string& modules) {
@@ -245,6 +247,42 @@ TEST(ModuleObjects, every_field_maps_to_a_known_module_setting) {
     }
     RecordProperty("settings", settings / 2);
     EXPECT_GT(settings, 120);
+}
+
+TEST(ModuleObjects, crowd_has_goals_walls_groups_and_agents) {
+    const auto scene = read_scene_json(with_modules(R"({"crowd": {
+      "rules": [{"seed": 4, "reach": 3}],
+      "routes": [{"half": {"x": 10, "z": 10}, "cell": 0.5}],
+      "walls": [{"from": {"x": -3, "z": 4}, "to": {"x": 3, "z": 4}}],
+      "obstacles": [{"body": "car[1]"}],
+      "goals": [{"number": 0, "center": {"z": 8}, "end": "CROWD_GOAL_END_LEAVE"},
+                {"number": 0, "center": {"x": 8}}],
+      "flocks": [{"roam": 9}],
+      "groups": [{"count": 12, "bodies": "CROWD_BODIES_DYNAMIC", "goal": 0},
+                 {"count": 5, "kind": "CROWD_KIND_FLYER", "center": {"y": 5}}],
+      "agents": [{"body": "car", "radius": 1, "target": {"x": 5}}],
+      "threats": [{"body": "car", "radius": 4}]
+    }})"));
+    ASSERT_TRUE(scene.ok()) << scene.error().message;
+    const auto built = build_scene(*scene);
+    ASSERT_TRUE(built.ok()) << built.error().message;
+    const auto* crowd = dynamic_cast<const modules::Crowd*>(built->world.module("crowd"));
+    EXPECT_EQ(crowd->counts().agents, 18u);
+    EXPECT_EQ(crowd->settings().seed, 4u);
+    EXPECT_EQ(read_scene_json(write_scene_json(*scene))->modules[0].objects.size(), 11u);
+}
+
+TEST(ModuleObjects, crowd_errors_name_line_and_field) {
+    EXPECT_THAT(error_of(R"({"crowd": {"groups": [{"radius": 9}]}})"),
+                AllOf(HasSubstr("line "), HasSubstr("modules[0].crowd.groups[0].radius: 9")));
+    EXPECT_THAT(error_of(R"({"crowd": {"walls": [{"from": {"x": 1e9}}]}})"),
+                HasSubstr("modules[0].crowd.walls[0].from.x"));
+    EXPECT_THAT(error_of(R"({"crowd": {"agents": [{"body": "cat"}]}})"),
+                HasSubstr("modules[0].crowd.agents[0].body"));
+    EXPECT_THAT(error_of(R"({"crowd": {"groups": [{"count": 3, "goal": 2}]}})"),
+                HasSubstr("groups[0]: destination: goal is 2; there are 0 goals"));
+    EXPECT_THAT(error_of(R"({"crowd": {"obstacles": [{"body": "floor"}]}})"),
+                HasSubstr("obstacles[0]: obstacle_body: the body has no outline"));
 }
 
 }  // namespace

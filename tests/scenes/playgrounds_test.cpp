@@ -9,6 +9,7 @@
 #include <functional>
 #include <string>
 
+#include "jostle/modules/crowd.h"
 #include "jostle/physics/module.h"
 #include "jostle/scenes/catalog.h"
 #include "tests/support/step_time.h"
@@ -192,6 +193,38 @@ TEST(RagdollStairs, most_figures_reach_the_bottom) {
     }
     EXPECT_EQ(bones, 12 * 11);
     EXPECT_GT(below, bones / 2);
+}
+
+// ---- crowds ----
+
+const modules::Crowd& crowd_of(const Played& played) {
+    return dynamic_cast<const modules::Crowd&>(*played.built.world.module("crowd"));
+}
+
+TEST(Playgrounds, spectators_leave_the_stadium_through_its_gates) {
+    Played stadium("stadium");
+    ASSERT_EQ(crowd_of(stadium).counts().agents, 600u);
+    stadium.run(25);
+    RecordProperty("left_after_25_s", static_cast<int>(crowd_of(stadium).counts().left));
+    EXPECT_GT(crowd_of(stadium).counts().left, 60u);
+    for (const modules::AgentId id : crowd_of(stadium).ids()) {
+        const Vec3 p = crowd_of(stadium).state(stadium.built.world, id)->position;
+        const bool inside = std::abs(p.x) < 30 && std::abs(p.z) < 22;
+        const bool in_gate = std::abs(p.x) < 1.6 || std::abs(p.z) < 1.6;
+        EXPECT_TRUE(inside || in_gate || p.y > 1) << p.x << " " << p.z;
+    }
+}
+
+TEST(Playgrounds, stampede_flees_from_the_bull) {
+    Played square("stampede");
+    square.run(8);
+    EXPECT_GT(crowd_of(square).counts().panicked, 5u);
+    EXPECT_EQ(crowd_of(square).counts().agents, 361u);
+    for (const modules::AgentId id : crowd_of(square).ids()) {
+        const modules::AgentState state = *crowd_of(square).state(square.built.world, id);
+        EXPECT_LT(std::abs(state.position.x), 40);
+        EXPECT_GT(state.position.y, 0);
+    }
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ LAYERS = {
     "server/grpc_proxy": ["server/util", "server/config", "server/metrics", "server/tls", "proto/http2", PUBLIC],
     "server/storage": ["server/util"],
     "server/udp": ["server/util", "server/config", "server/metrics", "proto/datagram"],
-    "server/world": [*SERVER_LOW, PUBLIC, "scenes/include", "modules/core", "modules/destruction", "modules/fields",
+    "server/world": [*SERVER_LOW, PUBLIC, "scenes/include", "modules/core", "modules/crowd", "modules/destruction", "modules/fields",
                      "modules/player_interaction"],
     "server/recovery": ["server/util", "server/metrics", "server/config", "server/storage", "server/world", PUBLIC,
                         "scenes/include"],

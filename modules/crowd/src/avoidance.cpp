@@ -15,7 +15,7 @@ void avoid_agents(const RelativeNeighbors& neighbors, float horizon, float dt, H
     using Row = std::array<float, neighbors_max>;
     const float per_horizon = 1 / horizon, per_step = 1 / dt;
     const std::size_t count = (neighbors.count + 3) / 4 * 4;  // the rest of the arrays is ignored
-    const auto &[x, y, vx, vy, rx, ry, radii, share, unused] = neighbors;
+    const auto& [x, y, vx, vy, rx, ry, radii, share, unused] = neighbors;
     Row depth, rate, wx, wy, w_squared, along, w, per_w, leg, per_squared, leg_x, leg_y;
     Row normal_x, normal_y, change, overlap, back, inside, end;
     for (std::size_t k = 0; k < count; k++) {

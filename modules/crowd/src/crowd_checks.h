@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Ranges of the descriptions of a crowd. Each function returns invalid_argument and names the field.
+// Ranges of the descriptions of a crowd. Each function returns invalid_argument and names the
+// field.
 #pragma once
 
 #include "modules/crowd/src/crowd_data.h"

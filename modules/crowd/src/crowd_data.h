@@ -55,7 +55,7 @@ struct AgentArrays {
 // Not part of the state: derived from it, or valid within a step only.
 struct CrowdScratch {
     // Routes, and what they were computed from.
-    bool routes_stale = true;  // goals, walls or grid may have changed
+    bool routes_stale = true;       // goals, walls or grid may have changed
     std::vector<FlowField> routes;  // one per goal; empty without a grid
     WallTree wall_tree;
     std::vector<GoalDef> route_goals;
@@ -63,12 +63,12 @@ struct CrowdScratch {
     RouteGrid route_grid;
 
     NeighborLists walkers, flyers;
-    std::vector<physics::Vec3> points;             // positions in plane coordinates, height last
-    std::vector<physics::Vec3> velocities;         // m/s, in plane coordinates
-    std::vector<physics::Vec3> wishes;             // m/s, likewise
-    std::vector<physics::Vec3> planned;            // m/s, in plane coordinates
+    std::vector<physics::Vec3> points;              // positions in plane coordinates, height last
+    std::vector<physics::Vec3> velocities;          // m/s, in plane coordinates
+    std::vector<physics::Vec3> wishes;              // m/s, likewise
+    std::vector<physics::Vec3> planned;             // m/s, in plane coordinates
     std::vector<std::uint8_t> is_walker, is_flyer;  // living agents by kind
-    std::vector<std::uint8_t> stands;  // at its destination, or has none
+    std::vector<std::uint8_t> stands;               // at its destination, or has none
     std::vector<double> next_panic;
     std::vector<physics::Vec3> next_flight;
     std::vector<DiscContact> contacts;

@@ -224,7 +224,7 @@ Status configure_agent(Crowd& crowd, World& world, const ModuleSettings& given) 
     return added.ok() ? Status{} : Status(added.error());
 }
 
-// What the agents of a group move.
+// Bodies of the agents of a group.
 enum class GroupBodies : std::uint8_t { kinematic, dynamic, none };
 
 struct Group {
@@ -244,8 +244,7 @@ Result<BodyId> create_body(World& world, const Group& group, bool vertical, Vec3
     ShapeDef shape{.geometry = Sphere{radius},
                    .material = {.friction = 0, .friction_rule = Combine::multiply},
                    .mass = group.mass};
-    if (walks)
-        shape.geometry = Capsule{radius, maximum(0.5 * group.height - radius, 0.01)};
+    if (walks) shape.geometry = Capsule{radius, maximum(0.5 * group.height - radius, 0.01)};
     return world.create_body({.type = dynamic ? BodyType::dynamic : BodyType::kinematic,
                               .pose = {position, {}},
                               .linear_velocity = velocity,
@@ -286,12 +285,13 @@ Status add_group(Crowd& crowd, World& world, const CrowdStore& store, const Grou
     if (spacing < diameter && group.count > 1)
         return Error{ErrorCode::invalid_argument,
                      "group_count is " + std::to_string(group.count) +
-                         "; so many agents do not fit into the region"};
+                         "; the region has no room for that number of agents"};
     const std::uint64_t columns = places(spacing, half.x), rows = places(spacing, half.y);
     const double jitter = maximum(minimum(0.25 * spacing, 0.49 * (spacing - diameter)), 0);
     for (std::uint32_t k = 0; k < group.count; k++) {
         const auto at = [&](std::uint64_t index, double length) {
-            return -length + spacing * static_cast<double>(index) + jitter * (2 * random.next() - 1);
+            return -length + spacing * static_cast<double>(index) +
+                   jitter * (2 * random.next() - 1);
         };
         const double x = at(k % columns, half.x), y = at(k / columns % rows, half.y);
         const double z = deep ? at(k / (columns * rows), half.z) : 0;

@@ -14,10 +14,10 @@ namespace crowd_detail {
 namespace {
 
 constexpr int agents_per_task = 32;
-constexpr double overlap_tolerance = 1e-3;     // of the smallest radius
-constexpr int iterations_max = 100;            // of keep_apart()
-constexpr double grounded_speed = 1;           // m/s: an agent that rises or falls faster is in the air
-constexpr double velocity_change_min = 1e-9;   // m/s: a smaller change must not wake the body
+constexpr double overlap_tolerance = 1e-3;  // of the smallest radius
+constexpr int iterations_max = 100;         // of keep_apart()
+constexpr double grounded_speed = 1;  // m/s: an agent that rises or falls faster is in the air
+constexpr double velocity_change_min = 1e-9;  // m/s: a smaller change must not wake the body
 
 bool is_walker(const AgentRecord& record) {
     return record.alive && record.kind == AgentKind::walker;
@@ -101,7 +101,8 @@ void read_bodies(World& world, CrowdStore& store) {
 }
 
 void watch_threats(const World& world, CrowdStore& store) {
-    std::erase_if(store.threats, [&](const Threat& threat) { return !world.contains(threat.body); });
+    std::erase_if(store.threats,
+                  [&](const Threat& threat) { return !world.contains(threat.body); });
     for (const Threat& threat : store.threats) {
         const Result<BodyState> body = world.body(threat.body);
         if (!body.ok()) continue;
@@ -235,13 +236,13 @@ void exclude_overlaps(CrowdStore& store, double dt) {
     if (scratch.contacts.empty() && scratch.wall_contacts.empty()) return;
     double smallest = 1e300;
     for (const DiscContact& contact : scratch.contacts)
-        smallest = minimum(smallest, minimum(store.agents.radius[contact.a], store.agents.radius[contact.b]));
+        smallest = minimum(smallest,
+                           minimum(store.agents.radius[contact.a], store.agents.radius[contact.b]));
     for (const WallContact& contact : scratch.wall_contacts)
         smallest = minimum(smallest, store.agents.radius[contact.agent]);
-    scratch.planned_overlap =
-        keep_apart(scratch.planned, scratch.contacts, scratch.wall_contacts, dt,
-                   overlap_tolerance * smallest, iterations_max)
-            .overlap;
+    scratch.planned_overlap = keep_apart(scratch.planned, scratch.contacts, scratch.wall_contacts,
+                                         dt, overlap_tolerance * smallest, iterations_max)
+                                  .overlap;
 }
 
 namespace {

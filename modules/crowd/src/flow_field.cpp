@@ -11,7 +11,7 @@ using namespace physics;
 
 namespace {
 
-constexpr float never = 1e30f;           // m, of a cell that is not reached yet
+constexpr float never = 1e30f;            // m, of a cell that is not reached yet
 constexpr float blocked_slowness = 1e4f;  // way through a cell near a wall, relative to its length
 // A wall blocks the cells whose centres are nearer than this many cells, so that no way leads
 // through it diagonally.

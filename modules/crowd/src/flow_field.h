@@ -54,8 +54,8 @@ private:
     physics::Vec2 low_;  // m, corner of the first cell
     double cell_ = 1;    // m
     std::vector<std::uint8_t> blocked_;
-    std::vector<float> time_;       // m
-    std::vector<float> dx_, dy_;    // unit directions
+    std::vector<float> time_;     // m
+    std::vector<float> dx_, dy_;  // unit directions
     std::vector<std::uint8_t> done_;
     // Cells by their distance; equal distances by index.
     struct Front {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Corrects the velocities of discs, or of balls, so that no two of them overlap after the step: the smallest
-// change, weighted by mass, for which no pair closes more than its gap.
+// Corrects the velocities of discs, or of balls, so that no two of them overlap after the step: the
+// smallest change, weighted by mass, for which no pair closes more than its gap.
 //
 // Distance is a convex function of the positions, so the linear constraint
 //     gap + dt * dot(n, v_b - v_a) >= 0,  n: unit vector from a to b,
@@ -19,10 +19,10 @@ namespace jostle::modules::crowd_detail {
 
 struct DiscContact {
     std::uint32_t a = 0, b = 0;
-    physics::Vec3 normal;       // unit, from a to b
-    double gap = 0;             // m, negative if the discs overlap
-    double share = 0.5;         // part of the correction that a takes; 0 to 1
-    double impulse = 0;         // m/s, of the correction so far
+    physics::Vec3 normal;  // unit, from a to b
+    double gap = 0;        // m, negative if the discs overlap
+    double share = 0.5;    // part of the correction that a takes; 0 to 1
+    double impulse = 0;    // m/s, of the correction so far
 };
 
 struct WallContact {

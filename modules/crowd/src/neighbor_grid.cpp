@@ -73,8 +73,8 @@ void NeighborGrid::build(std::span<const Vec3> points, std::span<const double> r
         if (!active[k]) continue;
         const std::uint32_t place = --starts_[buckets_[k]];
         places_[k] = place;
-        entries_[place] = {points[k], radii[k], static_cast<std::uint32_t>(k),
-                           cell_of(points[k].y), layer_of(points[k])};
+        entries_[place] = {points[k], radii[k], static_cast<std::uint32_t>(k), cell_of(points[k].y),
+                           layer_of(points[k])};
     }
 }
 

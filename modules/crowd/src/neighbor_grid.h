@@ -44,8 +44,9 @@ struct NearPoints {
 
 class NeighborGrid {
 public:
-    // Stores the points k with active[k]. Cells divide x and y, or x, y and z if not flat; distances are always
-    // three-dimensional. `reach`, m: neighbours have a gap of at most its square.
+    // Stores the points k with active[k]. Cells divide x and y, or x, y and z if not flat;
+    // distances are always three-dimensional. `reach`, m: neighbours have a gap of at most its
+    // square.
     void build(std::span<const physics::Vec3> points, std::span<const double> radii,
                std::span<const std::uint8_t> active, double reach, bool flat);
     // Lists the `most` points with the smallest gap to points[self] within reach. `bound`: at least

@@ -9,8 +9,8 @@ using namespace physics;
 
 namespace {
 
-constexpr double reach_margin = 1.2;      // a search extends by this factor beyond the reach
-constexpr std::size_t spare_points = 8;   // candidates in addition to the neighbours
+constexpr double reach_margin = 1.2;     // a search extends by this factor beyond the reach
+constexpr std::size_t spare_points = 8;  // candidates in addition to the neighbours
 constexpr int points_per_task = 64;
 
 }  // namespace
@@ -39,7 +39,8 @@ void NeighborLists::update(const World& world, std::span<const Vec3> points,
     largest_radius_ = *std::ranges::max_element(radii);
     const int count = static_cast<int>(points.size());
     world.parallel_for(count, points_per_task, [&](int first, int last) {
-        for (int k = first; k < last; k++) refresh(static_cast<std::size_t>(k), points, radii, active);
+        for (int k = first; k < last; k++)
+            refresh(static_cast<std::size_t>(k), points, radii, active);
     });
     if (std::ranges::none_of(lists_, &List::expired)) return;
     grid_.build(points, radii, active, reach_margin * settings.reach, settings.flat);
@@ -63,15 +64,16 @@ void NeighborLists::refresh(std::size_t self, std::span<const Vec3> points,
     // The order of the last step is almost the new one.
     for (std::size_t k = 0; k < list.near.count; k++) {
         NearPoint point = near[k];
-        point.gap = active[point.index] ? gap_between(points[self], radii[self], points[point.index],
-                                                      radii[point.index])
+        point.gap = active[point.index] ? gap_between(points[self], radii[self],
+                                                      points[point.index], radii[point.index])
                                         : 1e300;
         std::size_t at = k;
         for (; at > 0 && point < near[at - 1]; at--) near[at] = near[at - 1];
         near[at] = point;
     }
     count_neighbors(list);
-    // Points outside the list are at least this far away, and their gap is at least the second value.
+    // Points outside the list are at least this far away, and their gap is at least the second
+    // value.
     const double clear = list.clear * (1 - 1e-9) - 2 * (travel_ - list.searched);
     const double sum = radii[self] + largest_radius_, gap = clear * clear - sum * sum;
     const bool full = list.count == settings_.most;

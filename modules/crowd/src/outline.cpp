@@ -29,7 +29,8 @@ public:
     std::vector<Vec3> operator()(const Sphere& sphere) const { return ball({}, sphere.radius); }
     std::vector<Vec3> operator()(const Capsule& capsule) const {
         std::vector<Vec3> corners = ball({0, capsule.half_length, 0}, capsule.radius);
-        for (const Vec3 p : ball({0, -capsule.half_length, 0}, capsule.radius)) corners.push_back(p);
+        for (const Vec3 p : ball({0, -capsule.half_length, 0}, capsule.radius))
+            corners.push_back(p);
         return corners;
     }
     std::vector<Vec3> operator()(const Cylinder& cylinder) const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "modules/crowd/src/steering.h"
 
-#include <cmath>
+#include <algorithm>
 
 namespace jostle::modules::crowd_detail {
 
@@ -72,7 +72,8 @@ Wish follow_wish(const World& world, const CrowdStore& store, const Destination&
     const double far = length(offset), left = far - destination.distance;
     const bool arrived = left < 0.5;
     if (!(far > 1e-9) || left <= 0) return {{}, arrived};
-    const Vec3 velocity = store.to_plane(leader->linear_velocity) + approach(offset * (left / far), speed);
+    const Vec3 velocity =
+        store.to_plane(leader->linear_velocity) + approach(offset * (left / far), speed);
     const double size = length(velocity);
     return {size > speed ? velocity * (speed / size) : velocity, arrived};
 }
@@ -118,6 +119,12 @@ Wish wish_of(const World& world, CrowdStore& store, std::size_t agent) {
 void spread_panic(CrowdStore& store, std::size_t agent, std::span<const NearPoint> neighbors,
                   double dt) {
     const AgentArrays& agents = store.agents;
+    const auto is_this = [&](const Threat& t) { return t.body == agents.record[agent].body; };
+    if (std::ranges::any_of(store.threats, is_this)) {  // what frightens others is not afraid
+        store.scratch.next_panic[agent] = 0;
+        store.scratch.next_flight[agent] = {};
+        return;
+    }
     double panic = maximum(agents.panic[agent] - dt, 0);
     Vec3 flight = panic > 0 ? agents.flight[agent] : Vec3{};
     std::size_t left = panic_sources_max;

@@ -13,7 +13,7 @@ using namespace physics;
 
 namespace {
 
-constexpr double reaction_time = 0.5;     // s, in which a walker adapts to the density
+constexpr double reaction_time = 0.5;       // s, in which a walker adapts to the density
 constexpr std::uint64_t noise_period = 32;  // steps with the same noise
 
 // Part of a correction that an agent that stands takes beside one that walks: it steps aside.
@@ -40,7 +40,8 @@ bool meets_others(const CrowdStore& store, std::size_t agent, Vec2 wish) {
     for (const NearPoint& near : scratch.walkers.of(agent)) {
         const Vec3 offset = scratch.points[near.index] - scratch.points[agent];
         const Vec3 v = scratch.velocities[near.index];
-        if (offset.x * wish.x + offset.y * wish.y > 0 && v.x * wish.x + v.y * wish.y < 0) return true;
+        if (offset.x * wish.x + offset.y * wish.y > 0 && v.x * wish.x + v.y * wish.y < 0)
+            return true;
     }
     return false;
 }
@@ -137,10 +138,10 @@ void plan_walker(CrowdStore& store, std::size_t agent, double dt) {
     for (std::size_t k = 0; k < walls.count; k++) {
         const NearWall& wall = walls.walls[k];
         if (wall.distance - radius > max_speed * settings.wall_horizon) break;
-        planes[count++] = avoid_wall(static_cast<float>(wall.offset.x),
-                                     static_cast<float>(wall.offset.y),
-                                     static_cast<float>(wall.distance), static_cast<float>(radius),
-                                     static_cast<float>(settings.wall_horizon), static_cast<float>(dt));
+        planes[count++] =
+            avoid_wall(static_cast<float>(wall.offset.x), static_cast<float>(wall.offset.y),
+                       static_cast<float>(wall.distance), static_cast<float>(radius),
+                       static_cast<float>(settings.wall_horizon), static_cast<float>(dt));
     }
     const std::size_t hard = count;
     if (!alone) {

@@ -31,8 +31,8 @@ double relative_walking_speed(double density) {
 double density_ahead(double radius, double ahead, std::span<const NearWall> walls) {
     double open = 1;
     for (std::size_t k = 0; k < walls.size() && walls[k].distance < radius; k++) {
-        // The sides of a bent wall face the same way and count once. The end of a wall hides little,
-        // unless it is a corner in front of the walker.
+        // The sides of a bent wall face the same way and count once. The end of a wall hides
+        // little, unless it is a corner in front of the walker.
         bool counted = walls[k].is_end && k > 0;
         for (std::size_t j = 0; j < k && !counted; j++)
             counted = dot(walls[j].offset, walls[k].offset) >

@@ -76,7 +76,8 @@ TEST(Avoidance, wall_limits_the_approach_speed_to_the_gap_per_horizon) {
     const HalfPlane plane = avoid_wall(1, 0, 1, 0.25f, 0.5f, dt);
     EXPECT_EQ(plane.x, -1);
     EXPECT_NEAR(double{plane.offset}, -1.5, 1e-6);
-    EXPECT_NEAR(double{avoid_wall(0.2f, 0, 0.2f, 0.25f, 0.5f, dt).offset}, 3, 1e-4);  // 5 cm in one step
+    EXPECT_NEAR(double{avoid_wall(0.2f, 0, 0.2f, 0.25f, 0.5f, dt).offset}, 3,
+                1e-4);  // 5 cm in one step
 }
 
 }  // namespace

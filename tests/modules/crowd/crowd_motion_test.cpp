@@ -39,8 +39,8 @@ TEST(CrowdMotion, agents_on_a_circle_swap_places) {
 TEST(CrowdMotion, head_on_agents_pass_on_the_right) {
     physics::World world;
     Crowd& crowd = add_crowd(world, {.noise = 0});
-    const AgentId east = test::must(
-        crowd.add(world, {.position = {-5, 0, 0}, .destination = to_point({5, 0, 0})}));
+    const AgentId east =
+        test::must(crowd.add(world, {.position = {-5, 0, 0}, .destination = to_point({5, 0, 0})}));
     test::must(crowd.add(world, {.position = {5, 0, 0}, .destination = to_point({-5, 0, 0})}));
     double side = 0;
     for (int k = 0; k < 600; k++) {
@@ -57,7 +57,8 @@ void add_block(physics::World& world, int columns, int rows, Vec3 center, Vec3 o
     for (int k = 0; k < columns * rows; k++) {
         const Vec3 p = center + Vec3{0.7 * (k % columns - 0.5 * (columns - 1)), 0,
                                      0.7 * (k / columns - 0.5 * (rows - 1))};
-        test::must(crowd_of(world).add(world, {.position = p, .destination = to_point(p + offset)}));
+        test::must(
+            crowd_of(world).add(world, {.position = p, .destination = to_point(p + offset)}));
     }
 }
 

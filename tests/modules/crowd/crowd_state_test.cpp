@@ -18,8 +18,7 @@ using physics::World;
 
 // People of all kinds, a flock, walls, goals, a threat and crates.
 World lively(int threads) {
-    static_cast<void>(
-        physics::register_module("crowd", [] { return std::make_unique<Crowd>(); }));
+    static_cast<void>(physics::register_module("crowd", [] { return std::make_unique<Crowd>(); }));
     static_cast<void>(
         physics::register_module("character", [] { return std::make_unique<Characters>(); }));
     World world = test::make_world({.threads = threads});
@@ -51,11 +50,9 @@ World lively(int threads) {
         const auto bird = test::must(world.create_body(
             {.type = BodyType::kinematic, .pose = {p, {}}, .linear_velocity = random.vector(2)},
             {.geometry = physics::Sphere{0.1}}));
-        test::must(crowd.add(world, {.body = bird,
-                                     .kind = AgentKind::flyer,
-                                     .radius = 0.1,
-                                     .speed = 3,
-                                     .max_speed = 5}));
+        test::must(crowd.add(
+            world,
+            {.body = bird, .kind = AgentKind::flyer, .radius = 0.1, .speed = 3, .max_speed = 5}));
     }
     for (int k = 0; k < 6; k++)
         test::add(world, {.geometry = physics::Box{{0.2, 0.2, 0.2}},
@@ -179,7 +176,7 @@ TEST(CrowdState, scene_errors_name_the_setting) {
     EXPECT_THAT(error({{"reach", 0}}), testing::HasSubstr("reach is 0; it must be from 0.2 to 50"));
     EXPECT_THAT(error({{"group_count", 20000}}), testing::HasSubstr("group_count is 20000"));
     EXPECT_THAT(error({{"group_count", 9999}, {"group_half_x", 1}, {"group_half_z", 1}}),
-                testing::HasSubstr("do not fit"));
+                testing::HasSubstr("has no room"));
     EXPECT_THAT(error({{"group_goal", 3}}), testing::HasSubstr("there are 0 goals"));
     EXPECT_THAT(error({{"goal_sentre_x", 3}}), testing::HasSubstr("unknown setting goal_sentre_x"));
     EXPECT_THAT(configure(world, {}, {{"obstacle_body", physics::BodyId{}}}).error().message,

@@ -69,8 +69,8 @@ TEST(Crowd, removed_agents_take_their_body_along_and_leave_stale_ids) {
 TEST(Crowd, agent_walks_at_its_speed_and_stops_at_its_point) {
     physics::World world;
     Crowd& crowd = add_crowd(world);
-    const AgentId id = test::must(
-        crowd.add(world, {.position = {0, 1, 0}, .speed = 1.2, .destination = to_point({6, 0, 8})}));
+    const AgentId id = test::must(crowd.add(
+        world, {.position = {0, 1, 0}, .speed = 1.2, .destination = to_point({6, 0, 8})}));
     test::run(world, 4);
     EXPECT_NEAR(length(test::must(crowd.state(world, id)).velocity), 1.2, 1e-6);
     test::run(world, 10);
@@ -101,10 +101,10 @@ TEST(Crowd, follower_keeps_its_distance_from_its_leader) {
     Crowd& crowd = add_crowd(world);
     const auto leader = add_person(world, {2, 0, 0});
     test::must(crowd.add(world, {.body = leader, .destination = moving({0, 0, 1})}));
-    const AgentId id = test::must(crowd.add(
-        world, {.speed = 2,
-                .max_speed = 3,
-                .destination = {.aim = Aim::follow, .body = leader, .distance = 1.5}}));
+    const AgentId id = test::must(
+        crowd.add(world, {.speed = 2,
+                          .max_speed = 3,
+                          .destination = {.aim = Aim::follow, .body = leader, .distance = 1.5}}));
     test::run(world, 20);
     const AgentState state = test::must(crowd.state(world, id));
     const Vec3 offset = test::position_of(world, leader) - state.position;
@@ -120,8 +120,8 @@ TEST(Crowd, kinematic_agent_pushes_a_crate) {
     physics::World world;
     test::add_floor(world, 0);
     Crowd& crowd = add_crowd(world);
-    const auto crate = test::add(world, {.geometry = physics::Box{{0.4, 0.4, 0.4}},
-                                         .position = {1.5, 0.41, 0}});
+    const auto crate =
+        test::add(world, {.geometry = physics::Box{{0.4, 0.4, 0.4}}, .position = {1.5, 0.41, 0}});
     test::must(crowd.add(world, {.body = add_person(world, {}), .destination = moving({1, 0, 0})}));
     test::run(world, 4);
     EXPECT_NEAR(test::velocity_of(world, crate).x, 1, 0.05);
@@ -134,8 +134,8 @@ TEST(Crowd, dynamic_agent_feels_the_reaction_of_what_it_hits) {
     Crowd& crowd = add_crowd(world);
     const auto person = add_person(world, {}, BodyType::dynamic);
     test::must(world.set_velocity(person, {2, 0, 0}, {}));
-    const auto ball = test::must(world.create_body(
-        {.pose = {{1.2, 0.9, 0}, {}}}, {.geometry = physics::Sphere{0.3}, .mass = 75}));
+    const auto ball = test::must(world.create_body({.pose = {{1.2, 0.9, 0}, {}}},
+                                                   {.geometry = physics::Sphere{0.3}, .mass = 75}));
     // Its acceleration is far below that of the impact.
     const AgentId id = test::must(
         crowd.add(world, {.body = person, .acceleration = 0.1, .destination = moving({2, 0, 0})}));
@@ -178,9 +178,9 @@ TEST(Crowd, dynamic_agents_do_not_overlap_in_a_crush) {
     for (int k = 0; k < 60; k++) {
         const Vec3 at{0.55 * (k % 10), 0, 0.55 * (k / 10)};
         people.push_back(add_person(world, at, BodyType::dynamic, 0.25));
-        test::must(crowd.add(world, {.body = people.back(),
-                                     .radius = 0.25,
-                                     .destination = to_point({2.5, 0, 1.4})}));
+        test::must(crowd.add(
+            world,
+            {.body = people.back(), .radius = 0.25, .destination = to_point({2.5, 0, 1.4})}));
     }
     test::run(world, 10);
     EXPECT_LE(largest_overlap(positions_of(world), 0.25), 0.04 * 0.25);
@@ -206,10 +206,10 @@ TEST(Crowd, characters_receive_walking_controls) {
 TEST(Crowd, outline_of_a_body_stops_agents) {
     physics::World world;
     Crowd& crowd = add_crowd(world);
-    const auto crate = test::add_static(
-        world, {.geometry = physics::Box{{1, 1, 1}},
-                .position = {5, 1, 0},
-                .rotation = physics::from_axis_angle({0, 1, 0}, physics::pi / 4)});
+    const auto crate =
+        test::add_static(world, {.geometry = physics::Box{{1, 1, 1}},
+                                 .position = {5, 1, 0},
+                                 .rotation = physics::from_axis_angle({0, 1, 0}, physics::pi / 4)});
     test::must(crowd.add_walls_of(world, crate));
     const AgentId id =
         test::must(crowd.add(world, {.position = {0, 0, 0}, .destination = moving({1, 0, 0})}));
@@ -218,7 +218,8 @@ TEST(Crowd, outline_of_a_body_stops_agents) {
         test::must(world.step(1.0 / 60));
         const Vec3 p = test::must(crowd.state(world, id)).position;
         // In the axes of the square, which stands on a corner.
-        const double u = std::abs(p.x - 5 + p.z) / std::sqrt(2.0), v = std::abs(p.x - 5 - p.z) / std::sqrt(2.0);
+        const double u = std::abs(p.x - 5 + p.z) / std::sqrt(2.0),
+                     v = std::abs(p.x - 5 - p.z) / std::sqrt(2.0);
         nearest = std::min(nearest, std::hypot(std::max(u - 1, 0.0), std::max(v - 1, 0.0)));
     }
     EXPECT_GE(nearest, 0.2 - 1e-3);

@@ -12,11 +12,11 @@ namespace {
 using physics::Vec3;
 
 struct FlockFigures {
-    double order = 0;    // length of the mean heading: 1 if all fly in one direction
-    double extent = 0;   // m, root mean square distance from the centre
+    double order = 0;        // length of the mean heading: 1 if all fly in one direction
+    double extent = 0;       // m, root mean square distance from the centre
     double local_order = 0;  // mean cosine between the headings of nearest neighbours
     double nearest = 0;      // m, smallest distance of two flyers
-    double speed = 0;    // m/s, mean
+    double speed = 0;        // m/s, mean
 };
 
 FlockFigures figures_of(physics::World& world) {
@@ -48,7 +48,8 @@ FlockFigures figures_of(physics::World& world) {
     return figures;
 }
 
-// n flyers with random positions and headings. They set out slowly, and so align before they disperse.
+// n flyers with random positions and headings. They set out slowly, and so align before they
+// disperse.
 void add_flyers(physics::World& world, int n, double spread, bool planar = false) {
     test::Random random(4);
     for (int k = 0; k < n; k++) {

@@ -25,8 +25,8 @@ TEST(FlowField, distance_in_an_open_plane_converges_to_the_straight_line) {
     for (int k = 0; k < 2; k++) {
         const double cell = k == 0 ? 0.4 : 0.2;
         const double half = 50.5 * 0.4;  // the origin is the centre of a cell
-        const FlowField field =
-            field_with({}, {{{0, 0}, {0.05, 0.05}}}, {{0, 0}, {half - 0.1 * k, half - 0.1 * k}, cell, 0});
+        const FlowField field = field_with({}, {{{0, 0}, {0.05, 0.05}}},
+                                           {{0, 0}, {half - 0.1 * k, half - 0.1 * k}, cell, 0});
         double worst = 0;
         for (int a = 0; a < 32; a++) {
             const auto turn = physics::sin_cos(2 * physics::pi * a / 32);
@@ -55,8 +55,8 @@ TEST(FlowField, directions_point_to_the_goal) {
 // Walks along the field around a wall of 10 m with its goal behind it. The shortest way is
 // 2 sqrt(5^2 + 4^2) m = 12.8 m around either end.
 TEST(FlowField, walk_around_a_wall_takes_the_shortest_way) {
-    const FlowField field = field_with({{{0, -5}, {0, 5}}}, {{{4, 0}, {0.3, 0.3}}},
-                                       {{0, 0}, {10, 10}, 0.25, 0.25});
+    const FlowField field =
+        field_with({{{0, -5}, {0, 5}}}, {{{4, 0}, {0.3, 0.3}}}, {{0, 0}, {10, 10}, 0.25, 0.25});
     Vec2 p{-4, 0.5};
     double way = 0;
     while (length(p - Vec2{4, 0}) > 0.4 && way < 30) {
@@ -69,8 +69,8 @@ TEST(FlowField, walk_around_a_wall_takes_the_shortest_way) {
 
 TEST(FlowField, agents_in_a_wall_are_led_out_and_closed_goals_have_no_shortcut) {
     // A closed room around the goal: the way in leads through the wall, but is very long.
-    const std::vector<Wall> room{{{2, -2}, {6, -2}}, {{6, -2}, {6, 2}}, {{6, 2}, {2, 2}},
-                                 {{2, 2}, {2, -2}}};
+    const std::vector<Wall> room{
+        {{2, -2}, {6, -2}}, {{6, -2}, {6, 2}}, {{6, 2}, {2, 2}}, {{2, 2}, {2, -2}}};
     const FlowField field =
         field_with(room, {{{4, 0}, {0.5, 0.5}}}, {{0, 0}, {10, 10}, 0.25, 0.25});
     EXPECT_LT(field.distance({3, 0}), 2);
@@ -79,8 +79,8 @@ TEST(FlowField, agents_in_a_wall_are_led_out_and_closed_goals_have_no_shortcut) 
 }
 
 TEST(FlowField, several_areas_attract_from_their_own_side) {
-    const FlowField field = field_with({}, {{{-8, 0}, {0.5, 0.5}}, {{8, 0}, {0.5, 0.5}}},
-                                       {{0, 0}, {10, 5}, 0.5, 0});
+    const FlowField field =
+        field_with({}, {{{-8, 0}, {0.5, 0.5}}, {{8, 0}, {0.5, 0.5}}}, {{0, 0}, {10, 5}, 0.5, 0});
     EXPECT_LT(field.direction({-3, 0})->x, -0.99);
     EXPECT_GT(field.direction({3, 0})->x, 0.99);
     const FlowField outside = field_with({}, {{{50, 0}, {1, 1}}}, {{0, 0}, {10, 5}, 0.5, 0});
@@ -102,7 +102,8 @@ TEST(WallTree, finds_the_same_walls_as_a_loop) {
         double nearest = 1e9;
         for (const Wall& wall : walls) {
             const Vec2 along = wall.to - wall.from;
-            const double t = std::clamp(dot(p - wall.from, along) / length_squared(along), 0.0, 1.0);
+            const double t =
+                std::clamp(dot(p - wall.from, along) / length_squared(along), 0.0, 1.0);
             nearest = std::min(nearest, length(wall.from + along * t - p));
         }
         NearWalls found;

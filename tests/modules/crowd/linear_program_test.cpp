@@ -30,7 +30,8 @@ double violation(const std::vector<HalfPlane>& planes, std::size_t first, std::s
                  double x, double y) {
     double worst = -1e9;
     for (std::size_t k = first; k < last; k++)
-        worst = std::max(worst, double{planes[k].offset} - double{planes[k].x} * x - double{planes[k].y} * y);
+        worst = std::max(
+            worst, double{planes[k].offset} - double{planes[k].x} * x - double{planes[k].y} * y);
     return worst;
 }
 

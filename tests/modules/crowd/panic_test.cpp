@@ -51,15 +51,16 @@ TEST(Panic, spreads_to_neighbours_with_decreasing_strength) {
 TEST(Panic, agents_flee_from_a_threat_that_moves) {
     physics::World world;
     Crowd& crowd = add_crowd(world);
-    const auto bull = test::must(world.create_body(
-        {.type = physics::BodyType::kinematic, .linear_velocity = {1, 0, 0}},
-        {.geometry = physics::Sphere{0.5}}));
+    const auto bull = test::must(
+        world.create_body({.type = physics::BodyType::kinematic, .linear_velocity = {1, 0, 0}},
+                          {.geometry = physics::Sphere{0.5}}));
     test::must(crowd.add_threat(world, {bull, 4}));
     const AgentId id = test::must(crowd.add(world, {.position = {6, 0, 0}}));
     for (int k = 0; k < 600; k++) {
         test::must(world.step(1.0 / 60));
-        ASSERT_GT(length(test::must(crowd.state(world, id)).position -
-                         test::position_of(world, bull)), 3.5);
+        ASSERT_GT(
+            length(test::must(crowd.state(world, id)).position - test::position_of(world, bull)),
+            3.5);
     }
     EXPECT_GT(test::must(crowd.state(world, id)).position.x, 12);
 }

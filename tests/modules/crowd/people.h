@@ -27,11 +27,11 @@ inline Crowd& add_crowd(physics::World& world, const CrowdSettings& settings = {
 inline physics::BodyId add_person(physics::World& world, physics::Vec3 feet,
                                   physics::BodyType type = physics::BodyType::kinematic,
                                   double radius = 0.2) {
-    return test::must(world.create_body(
-        {.type = type, .pose = {feet + physics::Vec3{0, 0.9, 0}, {}}},
-        {.geometry = physics::Capsule{radius, 0.9 - radius},
-         .material = {.friction = 0, .friction_rule = physics::Combine::multiply},
-         .mass = 75}));
+    return test::must(
+        world.create_body({.type = type, .pose = {feet + physics::Vec3{0, 0.9, 0}, {}}},
+                          {.geometry = physics::Capsule{radius, 0.9 - radius},
+                           .material = {.friction = 0, .friction_rule = physics::Combine::multiply},
+                           .mass = 75}));
 }
 
 inline Destination to_point(physics::Vec3 point) {
@@ -69,8 +69,8 @@ inline double largest_overlap(std::vector<physics::Vec3> points, double radius, 
     std::ranges::sort(points, {}, &physics::Vec3::x);
     double worst = 0;
     for (std::size_t a = 0; a < points.size(); a++)
-        for (std::size_t b = a + 1;
-             b < points.size() && points[b].x - points[a].x < 2 * radius; b++) {
+        for (std::size_t b = a + 1; b < points.size() && points[b].x - points[a].x < 2 * radius;
+             b++) {
             const double x = points[b].x - points[a].x, y = second(points[b]) - second(points[a]);
             worst = std::max(worst, 2 * radius - physics::square_root(x * x + y * y));
         }

@@ -28,8 +28,7 @@ TEST(WalkingSpeed, follows_the_diagram_of_weidmann) {
 }
 
 TEST(WalkingSpeed, exponential_agrees_with_the_c_library) {
-    for (double x = 0; x > -40; x -= 0.37)
-        EXPECT_NEAR(exp_of_negative(x) / std::exp(x), 1, 1e-11);
+    for (double x = 0; x > -40; x -= 0.37) EXPECT_NEAR(exp_of_negative(x) / std::exp(x), 1, 1e-11);
     EXPECT_EQ(exp_of_negative(-800), 0);
 }
 
@@ -62,8 +61,8 @@ double ring_flow_error(double density) {
         const int count = static_cast<int>(density * 2 * physics::pi * at * 3 / rows);
         for (int k = 0; k < count; k++) {
             const auto turn = physics::sin_cos(2 * physics::pi * (k + 0.5 * (row % 2)) / count);
-            ids.push_back(test::must(crowd.add(world, {.position = {at * turn.cos, 0, at * turn.sin},
-                                                       .slows_in_crowds = true})));
+            ids.push_back(test::must(crowd.add(
+                world, {.position = {at * turn.cos, 0, at * turn.sin}, .slows_in_crowds = true})));
         }
     }
     double sum = 0;

@@ -109,8 +109,8 @@ public:
     /// flock_*, threat_*, agent_* and group_*. docs/reference/scene_format.md lists all settings.
     physics::Status configure(physics::World& world,
                               const physics::ModuleSettings& settings) override;
-    /// Publishes two channels. "crowd": numbers of agents, of arrived ones, of ones in panic, and of
-    /// ones that left. "crowd.points", every sixth step: the positions of agents without a body.
+    /// Publishes two channels. "crowd": numbers of agents, of arrived ones, of ones in panic, and
+    /// of ones that left. "crowd.points", every sixth step: the positions of agents without a body.
     std::vector<physics::ChannelKind> channels() const override;
     void publish(const physics::World& world, physics::ChannelWriter& channels) const override;
 

@@ -30,7 +30,7 @@ enum class AgentKind : std::uint8_t {
     flyer,   ///< in space (in a planar world: in its plane), steers with its flock
 };
 
-/// What an agent aims at.
+/// Kind of destination.
 enum class Aim : std::uint8_t {
     stand,   ///< stays where it is, but makes way
     move,    ///< moves with Destination::velocity
@@ -42,11 +42,11 @@ enum class Aim : std::uint8_t {
 /// Destination of an agent. Only the values of its aim are used.
 struct Destination {
     Aim aim = Aim::stand;
-    physics::Vec3 velocity = {};   ///< m/s, each component -100 to 100
-    physics::Vec3 point = {};      ///< m, each component -1e6 to 1e6
-    std::uint32_t goal = 0;        ///< index of a goal
-    physics::BodyId body = {};     ///< the followed body
-    double distance = 1;           ///< m between the centres, 0 to 1000
+    physics::Vec3 velocity = {};  ///< m/s, each component -100 to 100
+    physics::Vec3 point = {};     ///< m, each component -1e6 to 1e6
+    std::uint32_t goal = 0;       ///< index of a goal
+    physics::BodyId body = {};    ///< the followed body
+    double distance = 1;          ///< m between the centres, 0 to 1000
 
     bool operator==(const Destination&) const = default;
 };
@@ -60,10 +60,10 @@ struct AgentDef {
     physics::BodyId body = {};
     physics::Vec3 position = {};  ///< m, each component -1e6 to 1e6; used without a body
     AgentKind kind = AgentKind::walker;
-    double radius = 0.2;        ///< m, 0.05 to 5
-    double speed = 1.34;        ///< m/s, preferred speed, 0 to 50
-    double max_speed = 2;       ///< m/s, at least `speed`, at most 100
-    double acceleration = 20;   ///< m/s^2, 0.1 to 1e4
+    double radius = 0.2;       ///< m, 0.05 to 5
+    double speed = 1.34;       ///< m/s, preferred speed, 0 to 50
+    double max_speed = 2;      ///< m/s, at least `speed`, at most 100
+    double acceleration = 20;  ///< m/s^2, 0.1 to 1e4
     /// Walks slower in dense crowds, as people do: at most at the speed of Weidmann's fundamental
     /// diagram for the density ahead. Walkers only.
     bool slows_in_crowds = false;
@@ -89,7 +89,7 @@ struct GoalArea {
     bool operator==(const GoalArea&) const = default;
 };
 
-/// What agents do when they reach a goal.
+/// Behaviour of agents that reach a goal.
 enum class GoalEnd : std::uint8_t {
     stay,   ///< stand there
     leave,  ///< leave the world: the agent and its body are destroyed
@@ -124,9 +124,9 @@ struct FlockDef {
     double reach = 6;       ///< m, 0.1 to 100: distance at which flyers see the nearest 16 others
     double separation = 1;  ///< m, 0 to 100: distance that flyers keep from each other
     double separation_weight = 10;  ///< m/s^2, 0 to 1e3: away from neighbours nearer than that
-    double alignment_weight = 6;   ///< 1/s, 0 to 100: to the mean velocity of the neighbours
-    double cohesion_weight = 2;    ///< 1/s^2, 0 to 100: to the mean position of the neighbours
-    double aim_weight = 0.5;       ///< 1/s, 0 to 100: to the velocity of its own destination
+    double alignment_weight = 6;    ///< 1/s, 0 to 100: to the mean velocity of the neighbours
+    double cohesion_weight = 2;     ///< 1/s^2, 0 to 100: to the mean position of the neighbours
+    double aim_weight = 0.5;        ///< 1/s, 0 to 100: to the velocity of its own destination
     /// Flyers turn back beyond `roam` m from `home`; 0 to 1e5, 0: no limit.
     double roam = 0;
     physics::Vec3 home = {};  ///< m, each component -1e6 to 1e6
@@ -134,21 +134,21 @@ struct FlockDef {
 
 /// Settings of a crowd.
 struct CrowdSettings {
-    std::uint32_t seed = 1;      ///< of the symmetry breaking
-    bool vertical = false;       ///< walkers move along x and y, as in a planar world
+    std::uint32_t seed = 1;        ///< of the symmetry breaking
+    bool vertical = false;         ///< walkers move along x and y, as in a planar world
     std::uint32_t neighbors = 10;  ///< 1 to 16, largest number of agents that a walker avoids
-    double reach = 2.5;          ///< m, 0.2 to 50, distance at which walkers see each other
-    double horizon = 2;          ///< s, 0.05 to 20: walkers avoid collisions within this time
-    double wall_horizon = 0.5;   ///< s, 0.05 to 20: likewise with walls
+    double reach = 2.5;            ///< m, 0.2 to 50, distance at which walkers see each other
+    double horizon = 2;            ///< s, 0.05 to 20: walkers avoid collisions within this time
+    double wall_horizon = 0.5;     ///< s, 0.05 to 20: likewise with walls
     /// rad, -0.5 to 0.5: walkers veer to the right by this angle while others come towards them, so
     /// that opposing streams pass each other. 0: no preference.
     double side_preference = 0.03;
     double noise = 0.01;  ///< rad, 0 to 0.5: random change of direction, which breaks symmetry
 
     // Panic: an agent flees from an alarm, a threat or a blow, and its neighbours catch it.
-    double panic_time = 6;    ///< s, 0 to 1000: duration of a new panic; 0: no panic
-    double panic_speed = 4;   ///< m/s, 0 to 50: speed of agents in panic
-    double contagion = 0.5;   ///< 0 to 0.99: panic that a neighbour catches, relative to its source
+    double panic_time = 6;   ///< s, 0 to 1000: duration of a new panic; 0: no panic
+    double panic_speed = 4;  ///< m/s, 0 to 50: speed of agents in panic
+    double contagion = 0.5;  ///< 0 to 0.99: panic that a neighbour catches, relative to its source
     /// m/s, 0.1 to 1e3: a sudden change of the velocity of a body that causes panic.
     double blow_speed = 3;
 

@@ -31,9 +31,9 @@ struct TriangleMesh {
     /// neighbours[t][k] is the triangle across edge k of triangle t, from corner k to corner k + 1;
     /// 0xffffffff if there is none or more than one.
     std::vector<std::array<std::uint32_t, 3>> neighbours;
-    /// folds[t][k] tells how much the surface turns at that edge: the tangent of half the angle
-    /// between the normals of the two triangles. Positive at a ridge seen from the front, negative
-    /// at a valley, infinite if there is no neighbour.
+    /// folds[t][k] is the tangent of half the angle between the normals of triangle t and of its
+    /// neighbour across edge k. Positive at a ridge seen from the front, negative at a valley,
+    /// infinite if there is no neighbour.
     std::vector<std::array<float, 3>> folds;
     double weld_gap = 0;              ///< m: largest distance between vertices that count as one
     std::shared_ptr<const Bvh> tree;  ///< bounding volume hierarchy of the triangles

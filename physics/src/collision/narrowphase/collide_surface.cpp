@@ -237,7 +237,11 @@ public:
             if (used[i]) continue;
             const Vec3 ground = on_ground(points_of(patches_[i])[0], patches_[i].normal);
             ContactPoints sum;
-            for (const GapPoint& p : points_of(patches_[i])) merge(sum, p.point, p.gap);
+            ASSERT(patches_[i].count <= ContactPoints::capacity);
+            for (const GapPoint& p : points_of(patches_[i])) {
+                sum.point[sum.count] = p.point;
+                sum.gap[sum.count++] = p.gap;
+            }
             for (std::size_t j = i + 1; j < patches_.size(); j++) {
                 if (used[j] || !continues(patches_[i].normal, ground, patches_[j])) continue;
                 used[j] = true;

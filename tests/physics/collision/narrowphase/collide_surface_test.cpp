@@ -94,7 +94,7 @@ TEST_P(SurfaceContacts, show_the_distance_of_the_nearest_triangle) {
             EXPECT_NEAR(deepest_gap_of(manifolds), truth, 1e-4 + 0.01 * truth);
         }
     }
-    EXPECT_GT(near, 30);
+    EXPECT_GT(near, 15);
 }
 
 INSTANTIATE_TEST_SUITE_P(Kinds, SurfaceContacts,

@@ -69,7 +69,7 @@ TEST(TriangleLanes, distant_triangles_are_rejected) {
 
 TEST(TriangleLanes, a_shape_that_leaves_does_not_reach_what_is_behind_it) {
     // Moves by 1 m along x, without rotation: triangles more than 0.01 m behind it are out of
-    // filter_reach.
+    // reach.
     const MotionLimit motion{{{}, {1, 0, 0}}, {}, {}, 0.01, 10};
     int behind = 0;
     for_each_filtered(1, &motion, [&](bool passes, const Convex& triangle, const Convex& shape) {

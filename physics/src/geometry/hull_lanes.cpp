@@ -5,28 +5,21 @@
 #include <cstdint>
 
 #include "jostle/base/check.h"
+#include "physics/src/geometry/box_lanes.h"
 
 namespace jostle::physics {
 namespace {
 
 // 16-byte vectors, which all x86-64 and ARM64 processors support; compilers may split wider ones
 // into scalars.
-typedef double Two __attribute__((vector_size(16)));
-typedef std::int64_t TwoMask __attribute__((vector_size(16)));
-typedef float Four __attribute__((vector_size(16)));
-typedef std::int32_t FourMask __attribute__((vector_size(16)));
+using Four = Float4;
+using FourMask = Mask4;
 
-Two load(const double* p) {
-    return *static_cast<const Two*>(static_cast<const void*>(p));
-}
 Four load(const float* p) {
     return *static_cast<const Four*>(static_cast<const void*>(p));
 }
 void store(float* p, Four e) {
     *static_cast<Four*>(static_cast<void*>(p)) = e;
-}
-Two splat(double d) {
-    return Two{d, d};
 }
 Four splat(float f) {
     return Four{f, f, f, f};
@@ -58,12 +51,6 @@ Four larger(Four a, Four b) {
 Four smaller(Four a, Four b) {
     return a < b ? a : b;
 }
-Four root(Four a) {
-    Four r;
-    for (int k = 0; k < 4; k++) r[k] = __builtin_sqrtf(a[k]);
-    return r;
-}
-
 // The maximum over the normals of an arc.
 Four most_of_arc(const ArcLanes& arc, std::size_t at, const BallLanes& ball) {
     const Four at_ends = larger(along(arc.first, at, ball), along(arc.second, at, ball));
@@ -73,7 +60,7 @@ Four most_of_arc(const ArcLanes& arc, std::size_t at, const BallLanes& ball) {
     // maximum if it lies on the arc.
     const Four part = along(arc.along, at, ball);
     const Four square = larger(ball.squared - part * part, splat(0.0f));
-    return (between ? larger(root(square), at_ends) : at_ends) + ball.off;
+    return (between ? larger(root4(square), at_ends) : at_ends) + ball.off;
 }
 
 void put(DirectionLanes& lanes, std::size_t lane, Vec3 v) {
@@ -100,6 +87,10 @@ HullLanes lanes_of(const ConvexHull& hull) {
         to.x[k % 4] = v.x, to.y[k % 4] = v.y, to.z[k % 4] = v.z;
         lanes.outer_radius = maximum(lanes.outer_radius, length(v - hull.center));
     }
+    lanes.near_vertices.resize(blocks(hull.vertices.size(), 8));
+    for (std::size_t k = 0; k < 8 * lanes.near_vertices.size(); k++)
+        put(lanes.near_vertices[k / 8], k % 8,
+            hull.vertices[std::min(k, hull.vertices.size() - 1)] - hull.center);
     lanes.normals.resize(blocks(hull.faces.size(), 8));
     for (std::size_t k = 0; k < 8 * lanes.normals.size(); k++)
         put(lanes.normals[k / 8], k % 8, hull.faces[std::min(k, hull.faces.size() - 1)].normal);
@@ -118,11 +109,14 @@ HullLanes lanes_of(const ConvexHull& hull) {
     return lanes;
 }
 
-float normals_along(const HullLanes& lanes, Vec3 d, float* to) {
+namespace {
+
+// Writes the dot products with d in single precision and returns the largest.
+float dots_along(const std::vector<DirectionLanes>& of, Vec3 d, float* to) {
     const Four x = splat(static_cast<float>(d.x)), y = splat(static_cast<float>(d.y)),
                z = splat(static_cast<float>(d.z));
-    Four most = splat(-2.0f);
-    for (const DirectionLanes& n : lanes.normals)
+    Four most = splat(-3e38f);
+    for (const DirectionLanes& n : of)
         for (std::size_t half = 0; half < 8; half += 4) {
             const Four at = (load(n.x + half) * x + load(n.y + half) * y) + load(n.z + half) * z;
             store(to, at);
@@ -132,26 +126,42 @@ float normals_along(const HullLanes& lanes, Vec3 d, float* to) {
     return std::max(std::max(most[0], most[1]), std::max(most[2], most[3]));
 }
 
+}  // namespace
+
+float normals_along(const HullLanes& lanes, Vec3 d, float* to) {
+    return dots_along(lanes.normals, d, to);
+}
+
 std::size_t furthest_vertex(const HullLanes& lanes, Vec3 d) {
-    const Two dx = splat(d.x), dy = splat(d.y), dz = splat(d.z);
-    Two most[2] = {splat(-1e300), splat(-1e300)}, at[2] = {}, here = {};
-    for (const VertexLanes& v : lanes.vertices) {
-        for (int half = 0; half < 2; half++) {
-            const Two along =
-                (load(v.x + 2 * half) * dx + load(v.y + 2 * half) * dy) + load(v.z + 2 * half) * dz;
-            const TwoMask further = along > most[half];
-            most[half] = further ? along : most[half];
-            at[half] = further ? here : at[half];
-        }
-        here += splat(4.0);
+    alignas(16) float along[max_hull_vertices + 8];
+    const std::size_t count = 8 * lanes.near_vertices.size();
+    ASSERT(count > 0 && count <= max_hull_vertices + 8);
+    const double size = length(d);
+    // Single precision needs a direction of moderate length.
+    const bool usual = size > 1e-15 && size < 1e15;
+    const float most = usual ? dots_along(lanes.near_vertices, d, along) : 0;
+    const double least = double{most} - 2e-6 * (size * lanes.outer_radius);
+    std::size_t best = 0;
+    double reach = -1e300;
+    const auto compare = [&](std::size_t k) {
+        const VertexLanes& v = lanes.vertices[k / 4];
+        const double at = (v.x[k % 4] * d.x + v.y[k % 4] * d.y) + v.z[k % 4] * d.z;
+        if (!(at > reach)) return;
+        reach = at;
+        best = k;
+    };
+    const std::size_t vertices = 4 * lanes.vertices.size();
+    if (!usual) {
+        for (std::size_t k = 0; k < vertices; k++) compare(k);
+        return best;
     }
-    int best = 0;
-    ASSERT(!lanes.vertices.empty());
-    const auto block = [&](int lane) { return at[lane / 2][lane % 2]; };
-    const auto reach = [&](int lane) { return most[lane / 2][lane % 2]; };
-    for (int k = 1; k < 4; k++)
-        if (reach(k) > reach(best) || (reach(k) == reach(best) && block(k) < block(best))) best = k;
-    return static_cast<std::size_t>(block(best)) + static_cast<std::size_t>(best);
+    const Four limit = splat(static_cast<float>(least));
+    for (std::size_t group = 0; group < vertices; group += 4) {
+        unsigned near = lanes_set(load(along + group) >= limit);
+        for (std::size_t k = group; near != 0; k++, near >>= 1)
+            if ((near & 1) != 0) compare(k);
+    }
+    return best;
 }
 
 void show_normals(const HullLanes& lanes, std::span<const InnerBalls> balls, double sign,

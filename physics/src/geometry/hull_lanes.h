@@ -34,6 +34,8 @@ struct ArcLanes {
 
 struct HullLanes {
     std::vector<VertexLanes> vertices;
+    // The same from the centre of mass, in single precision: the support function selects by them.
+    std::vector<DirectionLanes> near_vertices;
     std::vector<DirectionLanes> normals;
     std::vector<ArcLanes> arcs;
     // m, radius of a ball around the centre of mass that contains the hull.

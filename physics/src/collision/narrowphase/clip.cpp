@@ -133,29 +133,76 @@ Feature local_feature(const Convex& shape, Vec3 d) {
     return feature_of_polyhedron(shape, d);
 }
 
-// Clips a polygon (or segment, or point) to the inner side of a plane.
-int cut(Vec3* polygon, int count, Vec3 normal, double offset) {
-    UninitializedArray<Vec3, ContactPoints::capacity> retained;
-    ASSERT(count >= 0 && count <= ContactPoints::capacity);
-    int made = 0;
-    const double slack = 1e-12;
-    const auto height = [&](Vec3 p) { return dot(normal, p) - offset; };
-    const bool open = count == 2;  // a segment has no closing side
-    for (int k = 0; k < count; k++) {
-        const Vec3 p = polygon[k];
-        const double hp = height(p);
-        if (hp <= slack) retained[made++] = p;
-        if (count == 1 || (open && k == 1)) continue;
-        const Vec3 q = polygon[k + 1 < count ? k + 1 : 0];
-        const double hq = height(q);
-        if ((hp < -slack && hq > slack) || (hp > slack && hq < -slack))
-            retained[made++] = p + (q - p) * (hp / (hp - hq));
-        if (made + 2 >= ContactPoints::capacity) break;
+// A convex polygon, a segment or a point that is clipped to planes.
+class ClippedFeature {
+public:
+    explicit ClippedFeature(const Feature& f) : count_(f.count) {
+        ASSERT(count_ > 0 && count_ <= ContactPoints::capacity);
+        for (int k = 0; k < count_; k++) polygon_[0][k] = f.corner[k];
+        find_ball();
     }
-    for (int k = 0; k < made; k++) polygon[k] = retained[k];
-    ASSERT(made <= ContactPoints::capacity);
-    return made;
-}
+
+    int count() const { return count_; }
+    Vec3 operator[](int k) const { return polygon_[now_][k]; }
+
+    // Clips to the inner side of the plane through p with the normal `side` of any length.
+    void cut(Vec3 side, Vec3 p) {
+        const double l2 = length_squared(side);
+        if (l2 < 1e-290) return;
+        // Most planes are beyond a ball around all corners.
+        const double depth = dot(side, p - center_);
+        if (depth >= 0 && depth * depth >= radius2_ * l2) return;
+        const double l = square_root(l2);
+        const Vec3 normal = side * (1 / l);
+        const double offset = dot(side, p) / l;
+        double height[ContactPoints::capacity], highest = -1e300;
+        for (int k = 0; k < count_; k++) {
+            height[k] = dot(normal, polygon_[now_][k]) - offset;
+            highest = maximum(highest, height[k]);
+        }
+        if (highest > slack) cut(height);
+    }
+
+private:
+    static constexpr double slack = 1e-12;  // m
+
+    void cut(const double* height) {
+        const auto& from = polygon_[now_];
+        auto& retained = polygon_[1 - now_];
+        int made = 0;
+        const bool open = count_ == 2;  // a segment has no closing side
+        for (int k = 0; k < count_; k++) {
+            const Vec3 p = from[k];
+            const double hp = height[k];
+            if (hp <= slack) retained[made++] = p;
+            if (count_ == 1 || (open && k == 1)) continue;
+            const int next = k + 1 < count_ ? k + 1 : 0;
+            const double hq = height[next];
+            if ((hp < -slack && hq > slack) || (hp > slack && hq < -slack))
+                retained[made++] = p + (from[next] - p) * (hp / (hp - hq));
+            if (made + 2 >= ContactPoints::capacity) break;
+        }
+        ASSERT(made <= ContactPoints::capacity);
+        count_ = made;
+        now_ = 1 - now_;
+        // The old ball still contains the polygon. A smaller one pays if many planes follow.
+        if (made > 8 && ++cuts_ % 4 == 0) find_ball();
+    }
+
+    void find_ball() {
+        Vec3 sum;
+        for (int k = 0; k < count_; k++) sum += polygon_[now_][k];
+        center_ = sum * (1.0 / count_);
+        radius2_ = 0;
+        for (int k = 0; k < count_; k++)
+            radius2_ = maximum(radius2_, length_squared(polygon_[now_][k] - center_));
+    }
+
+    int count_, now_ = 0, cuts_ = 0;
+    Vec3 center_;
+    double radius2_ = 0;
+    UninitializedArray<Vec3, ContactPoints::capacity> polygon_[2];
+};
 
 struct Sink {
     ContactPoints& out;
@@ -242,22 +289,17 @@ bool add_along_edge(Sink& sink, const Convex& a, const Convex& b, const Feature&
 // corners from that face along the normal.
 void add_clipped(Sink& sink, const Feature& reference, const Feature& incident, Vec3 n,
                  bool reference_is_a) {
-    UninitializedArray<Vec3, ContactPoints::capacity> polygon;
-    int count = incident.count;
-    ASSERT(count > 0 && count <= ContactPoints::capacity && reference.count >= 2);
-    for (int k = 0; k < count; k++) polygon[k] = incident.corner[k];
-    for (int k = 0; k < reference.count && count > 0; k++) {
+    ClippedFeature polygon(incident);
+    ASSERT(reference.count >= 2);
+    for (int k = 0; k < reference.count && polygon.count() > 0; k++) {
         const Vec3 p = reference.corner[k], q = reference.corner[(k + 1) % reference.count];
         // The clipping prism extends along the contact normal, not the face normal. Points that are
         // opposite each other along the contact normal stay paired.
-        const Vec3 side = reference_is_a ? cross(q - p, n) : cross(n, q - p);
-        const double l = length(side);
-        if (l < 1e-300) continue;
-        count = cut(polygon.data(), count, side * (1 / l), dot(side, p) / l);
+        polygon.cut(reference_is_a ? cross(q - p, n) : cross(n, q - p), p);
     }
     const double slope = dot(reference.normal, n);
-    ASSERT(count == 0 || slope != 0);
-    for (int k = 0; k < count; k++) {
+    ASSERT(polygon.count() == 0 || slope != 0);
+    for (int k = 0; k < polygon.count(); k++) {
         const double rise = dot(reference.normal, polygon[k] - reference.corner[0]) / slope;
         const Vec3 on_reference = polygon[k] - n * rise;
         if (reference_is_a)

@@ -5,6 +5,7 @@
 
 #include "jostle/base/check.h"
 #include "physics/src/foundation/uninitialized_array.h"
+#include "physics/src/geometry/box_lanes.h"
 #include "physics/src/math/is_unit.h"
 
 namespace jostle::physics {
@@ -91,6 +92,7 @@ public:
     bool has_bound() const { return known_ > -1e299; }
     // `most`: upper bound of the separation along an axis, m.
     bool may_be_best(float most) const { return double{most} >= known_; }
+    double least() const { return known_; }
 
     std::span<const InnerBalls> in_a() const { return {in_a_, count_}; }
     std::span<const InnerBalls> in_b() const { return {in_b_, count_}; }
@@ -200,43 +202,137 @@ Best with_points(const Pair& p, const EdgeAxis& axis, std::uint32_t ea, std::uin
     return {axis.distance, axis.normal, edge_pair | ea << 14 | eb, pa + u * at.s, pb + v * at.t};
 }
 
-// An edge between two faces, as the arc of its normals.
-struct EdgeArc {
-    std::uint32_t edge;
-    Vec3 first, second, along;
-};
-
 constexpr std::size_t max_faces = 2 * max_hull_vertices, max_edges = 3 * max_hull_vertices;
 
-Best edge_axes(const Pair& p, const AxisFilter& filter) {
-    alignas(16) float most[max_edges + 8];
-    ASSERT(p.a.edges.size() <= max_edges && p.b.edges.size() <= max_edges);
-    UninitializedArray<EdgeArc, max_edges> arcs;
-    std::size_t count = 0;
-    show_arcs(p.a, filter.in_a(), 1, most);
-    for (std::uint32_t i = 0; i < p.a.edges.size(); i++) {
-        if (!filter.may_be_best(most[i])) continue;
-        const HullEdge& x = p.a.edges[i];
-        arcs[count++] = {i, p.a.faces[x.left].normal, p.a.faces[x.right].normal,
-                         p.a.vertices[x.to] - p.a.vertices[x.from]};
+Vec3 along_edge(const Polyhedron& shape, const HullEdge& edge) {
+    return shape.vertices[edge.to] - shape.vertices[edge.from];
+}
+
+// The point of an edge nearest to the origin. Along the common perpendicular of two edges all
+// points of an edge are equal, and single precision is most accurate for the nearest one.
+Vec3 nearest_to_origin(Vec3 from, Vec3 along) {
+    return from - along * clamp(dot(from, along) / length_squared(along), 0, 1);
+}
+
+// The candidates of the first shape in groups of four.
+struct EdgeLanes {
+    Float4 first[3], second[3];  // normals of the two faces
+    Float4 along[3], point[3];
+    Float4 squared;  // length of the edge
+
+    void put(int lane, Vec3 n1, Vec3 n2, Vec3 u, Vec3 at) {
+        for (int k = 0; k < 3; k++) {
+            first[k][lane] = static_cast<float>(n1[k]);
+            second[k][lane] = static_cast<float>(n2[k]);
+            along[k][lane] = static_cast<float>(u[k]);
+            point[k][lane] = static_cast<float>(at[k]);
+        }
+        squared[lane] = static_cast<float>(length_squared(u));
     }
-    if (count == 0) return {};
-    show_arcs(p.b, filter.in_b(), -1, most);
+};
+
+// An edge of the second shape, with the negated normals of its faces, against four of the first.
+class EdgeTest {
+public:
+    EdgeTest(Vec3 n1, Vec3 n2, Vec3 v, Vec3 at) {
+        spread(n1, n1_);
+        spread(n2 - n1, change_);
+        spread(n2, n2_);
+        spread(v, along_);
+        spread(at, point_);
+    }
+    // Returns the edges that may form a face of the Minkowski difference with a separation above
+    // `least`. The normal is where the arcs cross: on the arc of the second edge, perpendicular to
+    // the first one. Nearly parallel edges, for which it is inaccurate, are all returned.
+    unsigned operator()(const EdgeLanes& a, Float4 least) const {
+        const Float4 cba = times(n1_, a.along), dba = times(n2_, a.along);
+        const Float4 steep = larger4(cba * cba, dba * dba);
+        const Mask4 parallel = steep <= a.squared * splat4(1e-4f);
+        const Float4 zero = splat4(0);
+        Mask4 meet = cba * dba < zero;
+        if (lanes_set(meet | parallel) == 0) return 0;
+        const Float4 adc = times(a.first, along_), bdc = times(a.second, along_);
+        meet &= (adc * bdc < zero) & (cba * bdc > zero);
+        if (lanes_set(meet) == 0) return lanes_set(parallel);
+        const Float4 part = meet ? cba / (cba - dba) : zero;
+        Float4 n[3], apart[3];
+        for (int k = 0; k < 3; k++) {
+            n[k] = n1_[k] + change_[k] * part;
+            apart[k] = point_[k] - a.point[k];
+        }
+        const Float4 distance = times(n, apart), size = root4(times(n, n));
+        return lanes_set(parallel | (meet & (distance > least * size)));
+    }
+
+private:
+    static void spread(Vec3 v, Float4 (&to)[3]) {
+        for (int k = 0; k < 3; k++) to[k] = splat4(static_cast<float>(v[k]));
+    }
+    static Float4 times(const Float4 (&a)[3], const Float4 (&b)[3]) {
+        return (a[0] * b[0] + a[1] * b[1]) + a[2] * b[2];
+    }
+
+    Float4 n1_[3], n2_[3], change_[3], along_[3], point_[3];
+};
+
+// The edges that may show the largest separation.
+struct KeptEdges {
+    KeptEdges() {}  // NOLINT(modernize-use-equals-default): does not clear the array
+
+    std::size_t count = 0;
+    std::uint32_t edge[max_edges];
+};
+void keep_edges(KeptEdges& kept, const Polyhedron& shape, std::span<const InnerBalls> balls,
+                double sign, const AxisFilter& filter) {
+    alignas(16) float most[max_edges + 8];
+    ASSERT(shape.edges.size() <= max_edges);
+    show_arcs(shape, balls, sign, most);
+    for (std::uint32_t k = 0; k < shape.edges.size(); k++)
+        if (filter.may_be_best(most[k])) kept.edge[kept.count++] = k;
+}
+
+Best edge_axes(const Pair& p, const AxisFilter& filter) {
+    KeptEdges of_a, of_b;
+    keep_edges(of_a, p.a, filter.in_a(), 1, filter);
+    if (of_a.count == 0) return {};
+    keep_edges(of_b, p.b, filter.in_b(), -1, filter);
+    if (of_b.count == 0) return {};
+    const Vec3 origin = p.a.inner_radius < p.b.inner_radius ? p.a.middle : p.middle_b;
+    const std::size_t groups = (of_a.count + 3) / 4;
+    UninitializedArray<EdgeLanes, max_edges / 4 + 1> lanes;
+    for (std::size_t k = 0; k < 4 * groups; k++) {
+        const HullEdge& x = p.a.edges[of_a.edge[std::min(k, of_a.count - 1)]];
+        const Vec3 u = along_edge(p.a, x);
+        lanes[k / 4].put(static_cast<int>(k % 4), p.a.faces[x.left].normal,
+                         p.a.faces[x.right].normal, u,
+                         nearest_to_origin(p.a.vertices[x.from] - origin, u));
+    }
+    // Single precision selects the candidates; the best one is found among them exactly.
+    const double rounding = 1e-5 * p.size;
+    double least = filter.least() - rounding;
     EdgeAxis best;
     std::uint32_t best_a = 0, best_b = 0;
-    for (std::uint32_t j = 0; j < p.b.edges.size(); j++) {
-        if (!filter.may_be_best(most[j])) continue;
-        const HullEdge& y = p.b.edges[j];
+    for (std::size_t j = 0; j < of_b.count; j++) {
+        const HullEdge& y = p.b.edges[of_b.edge[j]];
         const Vec3 nb1 = -p.normal_b(y.left), nb2 = -p.normal_b(y.right);
-        const Vec3 v = p.vertex_b(y.to) - p.vertex_b(y.from);
-        for (std::size_t k = 0; k < count; k++) {
-            const EdgeArc& arc = arcs[k];
-            if (!arcs_cross(arc.first, arc.second, arc.along, nb1, nb2, v)) continue;
-            const EdgeAxis e = edge_axis(p, arc.edge, j);
-            if (e.distance <= best.distance) continue;
-            best = e;
-            best_a = arc.edge;
-            best_b = j;
+        const Vec3 v = p.axes * along_edge(p.b, y);
+        const EdgeTest test(nb1, nb2, v, nearest_to_origin(p.vertex_b(y.from) - origin, v));
+        for (std::size_t group = 0; group < groups; group++) {
+            unsigned todo = test(lanes[group], splat4(static_cast<float>(least)));
+            for (std::size_t k = 4 * group; todo != 0; k++, todo >>= 1) {
+                if ((todo & 1) == 0 || k >= of_a.count) continue;
+                const std::uint32_t i = of_a.edge[k];
+                const HullEdge& x = p.a.edges[i];
+                if (!arcs_cross(p.a.faces[x.left].normal, p.a.faces[x.right].normal,
+                                along_edge(p.a, x), nb1, nb2, v))
+                    continue;
+                const EdgeAxis e = edge_axis(p, i, of_b.edge[j]);
+                if (e.distance <= best.distance) continue;
+                best = e;
+                best_a = i;
+                best_b = of_b.edge[j];
+                least = maximum(least, best.distance - rounding);
+            }
         }
     }
     return with_points(p, best, best_a, best_b);

@@ -30,7 +30,10 @@ void derive_contacts(ContactGraph& stores) {
     for (std::uint32_t i = 0; i < stores.contacts.ids.size(); i++) {
         if (!stores.contacts.ids.alive(i)) continue;
         const Contact& c = stores.contacts.contacts[i];
-        if (c.parent == none) stores.contacts.pairs.insert(pair_key(c.shape_a, c.shape_b));
+        if (c.parent == none) {
+            stores.contacts.pairs.insert(pair_key(c.shape_a, c.shape_b));
+            count_pair(stores.bodies, c, 1);
+        }
         if (c.colour < 0) continue;
         write_body_indices(stores.bodies, stores.graph, c);
         derive_flags(stores, c);

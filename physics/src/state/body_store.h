@@ -63,6 +63,7 @@ struct BodyCold {
     std::uint32_t island_prev = none, island_next = none;  // list of the island's bodies
     std::uint64_t colours = 0;      // colours of its contacts in the constraint graph
     std::uint32_t constraints = 0;  // number of its contacts in the constraint graph
+    std::uint32_t fixed_pairs = 0;  // of a dynamic body: pairs with bodies that are not; derived
 };
 
 struct BodyWarm {

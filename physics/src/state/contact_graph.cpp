@@ -79,6 +79,7 @@ std::uint32_t create_contact(ContactGraph& stores, std::uint32_t shape_a, std::u
     ASSERT(!store.pairs.contains(pair_key(shape_a, shape_b)));
     store.pairs.insert(pair_key(shape_a, shape_b));
     ASSERT(store.pairs.size() <= store.ids.alive_count());
+    count_pair(stores.bodies, store.contacts[index], 1);
     add_separation_bound(stores, stores.contacts, index, -1);
     return index;
 }
@@ -121,7 +122,10 @@ void destroy_contact(WorldState& world, std::uint32_t contact, std::vector<Conta
     }
     unlink_edge(store, contact, 0, world.bodies.cold[c.body_a]);
     unlink_edge(store, contact, 1, world.bodies.cold[c.body_b]);
-    if (c.parent == none) store.pairs.erase(pair_key(c.shape_a, c.shape_b));
+    if (c.parent == none) {
+        store.pairs.erase(pair_key(c.shape_a, c.shape_b));
+        count_pair(world.bodies, c, -1);
+    }
     c = Contact{};
     store.ids.release(contact);
 }

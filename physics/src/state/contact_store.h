@@ -90,6 +90,13 @@ struct ContactStore {
     KeySet pairs;              // pair_key() of each contact that is not a child; derived
 };
 
+// Counts a pair that begins (1) or ends (-1).
+inline void count_pair(BodyStore& bodies, const Contact& pair, int change) {
+    ASSERT(pair.parent == none);
+    if (bodies.cold[pair.body_b].type != BodyType::dynamic)
+        bodies.cold[pair.body_a].fixed_pairs += static_cast<std::uint32_t>(change);
+}
+
 inline std::uint64_t pair_key(std::uint32_t shape_a, std::uint32_t shape_b) {
     ASSERT(shape_a != shape_b);
     const std::uint64_t low = shape_a < shape_b ? shape_a : shape_b;

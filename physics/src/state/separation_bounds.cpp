@@ -3,6 +3,7 @@
 
 #include "jostle/base/check.h"
 #include "physics/src/foundation/tuning.h"
+#include "physics/src/geometry/support.h"
 #include "physics/src/math/is_unit.h"
 #include "physics/src/state/contact_store.h"
 #include "physics/src/state/pair_properties.h"
@@ -104,6 +105,38 @@ bool is_due(const BodySets& sets, const WorldDef& def, SeparationBound& w, doubl
     const Slack slack = slack_of(sets, def, w, dt);
     w.limit = a.travel + b.travel + slack.left;
     return slack.next > slack.left;
+}
+
+namespace {
+
+// How far a shape extends along n from the centre of mass of its body, m.
+double reach_along(const ShapeRecord& shape, const BodyWarm& body, Vec3 n) {
+    const Convex convex = convex_of({&shape.geometry, body.axes * shape.offset,
+                                     shape.aligned ? body.axes : body.axes * shape.axes},
+                                    {});
+    return dot(support(convex, n), n) + convex.radius * length(n);
+}
+
+}  // namespace
+
+bool renew_separation_bound(const ContactGraph& stores, SeparationBound& w, double dt) {
+    if (!w.directed || w.budget == SeparationBound::not_measured || stores.def.planar) return false;
+    const Contact& c = stores.contacts.contacts[w.contact];
+    const ShapeRecord &sa = stores.shapes.shapes[c.shape_a], &sb = stores.shapes.shapes[c.shape_b];
+    // The narrow phase ends pairs whose boxes have parted.
+    if (c.composite || is_plane(sb) || !overlap(sa.fat, sb.fat)) return false;
+    const BodyWarm &a = warm_of(stores, w.body_a), &b = warm_of(stores, w.body_b);
+    const Vec3 n = direction_of(w), apart = b.center - a.center;
+    const double along = dot(n, apart), scale = scale_of_pair(stores.bodies, c);
+    const double separation = along - reach_along(sa, a, n) - reach_along(sb, b, -n);
+    const double slack = separation - (tuning::speculative_margin + tuning::slack_reserve) * scale;
+    if (slack <= 0) return false;
+    const double next = slack_of(stores, stores.def, w, dt).next;
+    if (next > slack) return false;
+    const MotionBound &ra = stores.bodies.motion[w.body_a], &rb = stores.bodies.motion[w.body_b];
+    w.budget = slack + ra.turned + rb.turned - along;
+    w.limit = ra.travel + rb.travel + slack;
+    return true;
 }
 
 bool stayed_apart(const BodyStore& bodies, const SeparationBound& w, Vec3 previous, Vec3 now) {

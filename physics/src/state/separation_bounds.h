@@ -23,6 +23,11 @@ void resume_separation_bound(ContactStore& contacts, std::uint32_t contact);
 // test. Writes only the bound, so it is thread-safe for different bounds.
 bool is_due(const BodySets& sets, const WorldDef& def, SeparationBound& bound, double dt);
 
+// Measures the separation of a due pair along the direction of its bound, if it has one. Returns
+// whether it suffices for the next step, which sets the bound anew: the narrow phase need not test
+// the pair. Writes only the bound.
+bool renew_separation_bound(const ContactGraph& stores, SeparationBound& bound, double dt);
+
 // Returns whether a pair remained within its bound throughout a step in which both bodies moved
 // linearly, so that it did not touch. `before`, `now`: vectors from a's centre of mass to b's.
 bool stayed_apart(const BodyStore& bodies, const SeparationBound& bound, Vec3 previous, Vec3 now);

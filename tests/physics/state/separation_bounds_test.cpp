@@ -170,6 +170,24 @@ TEST(SeparationBound, pair_with_equal_velocities_is_never_due) {
     EXPECT_EQ(balls.steps_until_due(), 1000);
 }
 
+// Two balls 20 cm apart whose slack is used up: measured again along x, the gap less the margin of
+// 2 cm and the reserve of 0.1 mm is left.
+TEST(SeparationBound, due_pair_that_is_still_apart_gets_a_new_bound) {
+    InFlight balls(0.2, {6, 0, 0}, {});
+    balls.wait(0.05, {1, 0, 0});
+    EXPECT_TRUE(is_due(balls.state, balls.state.def, balls.bound(), dt)) << "0.1 m in this step";
+    EXPECT_TRUE(renew_separation_bound(balls.state, balls.bound(), dt));
+    EXPECT_NEAR(balls.bound().budget + 1.2, 0.2 - 0.0201, 1e-6) << "centres 1.2 m apart";
+    EXPECT_FALSE(is_due(balls.state, balls.state.def, balls.bound(), dt));
+    InFlight near(0.1, {6, 0, 0}, {}), far(2, {6, 0, 0}, {});
+    near.wait(0.05, {1, 0, 0});
+    EXPECT_FALSE(renew_separation_bound(near.state, near.bound(), dt)) << "8 cm are left";
+    near.wait(0.05, {});
+    EXPECT_FALSE(renew_separation_bound(near.state, near.bound(), dt)) << "no direction";
+    far.wait(0.05, {1, 0, 0});
+    EXPECT_FALSE(renew_separation_bound(far.state, far.bound(), dt)) << "their boxes are apart";
+}
+
 // One passes the other at a distance: along the direction in which they are apart nothing closes,
 // by the length of the motion it does.
 TEST(SeparationBound, directed_bound_accepts_passing_bodies) {

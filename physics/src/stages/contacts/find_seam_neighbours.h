@@ -12,7 +12,7 @@
 
 namespace jostle::physics {
 
-// Indices of shapes, in the order of the contact list of body a.
+// Indices of shapes, in the order of the contact list of body a or of the shapes of a body.
 struct SeamShapes {
     std::vector<std::uint32_t> of_a, of_b;
 

@@ -293,17 +293,18 @@ Manifold predicted_manifold(const StepContext& step, Contact& c, bool& covered) 
     if (swept && !uses_speculative_contact(step, c.shape_a, c.shape_b))
         return within(tuning::touch_gap * scale, pair);
     Approach near;
+    std::optional<Manifold> now;
     if (c.colour < 0 || swept) {
         // Most pairs with a high relative speed miss each other. Testing that is cheaper than
         // finding points.
-        const Manifold now = within(predicted, pair);
-        near = {now.normal, smallest_gap(now)};
+        now = within(predicted, pair);
+        near = {now->normal, smallest_gap(*now)};
         const double most = closing_along(world, c, near.normal) + closing_by_turning(world, c);
-        if (now.count == 0 && near.normal != Vec3{} && near.gap - most * dt >= predicted)
-            return now;
+        if (now->count == 0 && near.normal != Vec3{} && near.gap - most * dt >= predicted)
+            return *now;
         const std::optional<double> contact_time =
             swept ? time_to_contact(world, c, dt) : std::optional(0.0);
-        if (!contact_time) return now;
+        if (!contact_time) return *now;
         if (*contact_time > 0)
             return within(predicted,
                           PredictedPair(world, c, minimum(dt, *contact_time + past / most)));
@@ -316,6 +317,8 @@ Manifold predicted_manifold(const StepContext& step, Contact& c, bool& covered) 
     if (!c.touching && near.gap > 0 && near.gap < closing * dt &&
         closing * dt > rounding_motion * scale)
         return within(margin, PredictedPair(world, c, minimum(dt, (near.gap + past) / closing)));
+    // Points beyond the usual margin matter only to pairs that may close it soon.
+    if (now && now->count > 0 && displacement <= 0.5 * predicted) return *now;
     return within(margin, pair);
 }
 

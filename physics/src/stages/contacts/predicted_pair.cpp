@@ -20,17 +20,21 @@ SweptShape swept(const ShapedBodies& stores, std::uint32_t body, std::uint32_t s
             {0, warm.center, warm.rotation, warm.v * dt, warm.w * dt}};
 }
 
-// The pose of a body at a time from the start of the step, at its current velocities.
-BodyWarm predicted_body(const BodyWarm& warm, double time) {
-    BodyWarm later = warm;
-    later.center += warm.v * time;
-    later.rotation = normalized(from_rotation_vector(warm.w * time) * warm.rotation);
-    later.axes = to_matrix(later.rotation);
-    return later;
-}
+struct PredictedPose {
+    Vec3 center;
+    Mat3 axes;
 
-bool moves(const BodyWarm& warm, double time) {
-    return time != 0 && (warm.v != Vec3{} || warm.w != Vec3{});
+    TransformedShape place(const ShapeRecord& shape) const {
+        return {&shape.geometry, center + axes * shape.offset,
+                shape.aligned ? axes : axes * shape.axes};
+    }
+};
+
+// The pose of a body at a time from the start of the step, at its current velocities.
+PredictedPose predicted_pose(const BodyWarm& warm, double time) {
+    if (time == 0 || (warm.v == Vec3{} && warm.w == Vec3{})) return {warm.center, warm.axes};
+    return {warm.center + warm.v * time,
+            to_matrix(from_rotation_vector(warm.w * time) * warm.rotation)};
 }
 
 }  // namespace
@@ -38,17 +42,11 @@ bool moves(const BodyWarm& warm, double time) {
 PredictedPair::Side::Side(const ShapedBodies& stores, std::uint32_t body, std::uint32_t shape_index,
                           double time) {
     const BodyWarm& warm = warm_of(stores, body);
-    const ShapeRecord& record = stores.shapes.shapes[shape_index];
+    const PredictedPose pose = predicted_pose(warm, time);
     v = warm.v;
     w = warm.w;
-    center = warm.center;
-    if (!moves(warm, time)) {
-        shape = transformed_shape(record, warm);
-        return;
-    }
-    const BodyWarm later = predicted_body(warm, time);
-    center = later.center;
-    shape = transformed_shape(record, later);
+    center = pose.center;
+    shape = pose.place(stores.shapes.shapes[shape_index]);
 }
 
 Vec3 PredictedPair::Side::velocity_at(Vec3 point) const {
@@ -102,8 +100,7 @@ std::optional<double> time_to_contact(const ShapedBodies& stores, const Contact&
 
 TransformedShape predicted_shape(const ShapedBodies& stores, std::uint32_t shape, double time) {
     const ShapeRecord& record = stores.shapes.shapes[shape];
-    const BodyWarm& warm = warm_of(stores, record.body);
-    return transformed_shape(record, moves(warm, time) ? predicted_body(warm, time) : warm);
+    return predicted_pose(warm_of(stores, record.body), time).place(record);
 }
 
 double smallest_gap(const Manifold& m) {

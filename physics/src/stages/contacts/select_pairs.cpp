@@ -51,7 +51,10 @@ void select_due_pairs(StepContext& step) {
     step.thread_pool.run(
         static_cast<int>(bounds.size()), tuning::bound_grain, [&](int begin, int end) {
             for (auto k = static_cast<std::size_t>(begin); k < static_cast<std::size_t>(end); k++)
-                due[k] = is_due(world, world.def, bounds[k], step.dt) ? 1 : 0;
+                due[k] = is_due(world, world.def, bounds[k], step.dt) &&
+                                 !renew_separation_bound(world, bounds[k], step.dt)
+                             ? 1
+                             : 0;
         });
     std::size_t retained = 0;
     for (std::size_t k = 0; k < bounds.size(); k++) {

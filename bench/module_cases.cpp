@@ -329,7 +329,6 @@ public:
                        .position = {0, 6, 0},
                        .half_extents = {20, 1, 20},
                        .rate = count / 2.0,
-                       .burst = static_cast<std::uint32_t>(count),
                        .speed = 0,
                        .lifetime = 2};
         must(particles_.add(world_, def));

@@ -10,6 +10,7 @@
 #include <string>
 
 #include "jostle/modules/crowd.h"
+#include "jostle/modules/particles.h"
 #include "jostle/physics/module.h"
 #include "jostle/scenes/catalog.h"
 #include "tests/support/step_time.h"
@@ -71,6 +72,27 @@ double lap_time(Played& track, const std::string& car) {
         if (turned <= -2 * pi) return step * dt;
     }
     return -1;
+}
+
+// The jet turns the mill wheel all the time and rolls balls down the hill; the smoke is simulated
+// by clients.
+TEST(Fountain, jet_turns_the_mill_wheel) {
+    Played fountain("fountain");
+    const auto* particles =
+        dynamic_cast<const modules::Particles*>(fountain.built.world.module("particles"));
+    ASSERT_EQ(particles->groups().size(), 4u);
+    fountain.run(3);
+    for (int k = 0; k < 4; k++) {
+        fountain.run(0.5);
+        EXPECT_GT(fountain.state("mill").angular_velocity.z, 1) << "rad/s";
+    }
+    const auto group = [&](std::size_t k) { return particles->group(particles->groups()[k]); };
+    EXPECT_GT(group(0)->size(), 2700u);
+    EXPECT_EQ(group(2)->size(), 0u) << "cosmetic";
+    EXPECT_EQ(group(3)->size(), 20u) << "the rope";
+    double lowest = 1;
+    for (const Vec3& p : group(0)->positions()) lowest = minimum(lowest, p.y);
+    EXPECT_GT(lowest, 0) << "no drop is below the ground";
 }
 
 // Ring of 45 m at 16 m/s: 17.7 s, plus the time to accelerate.

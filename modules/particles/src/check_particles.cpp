@@ -101,7 +101,7 @@ void check_cosmetic(RangeCheck& check, const ParticleGroupDef& d) {
 // Weights measured with jostle-bench modules.
 double work_of(const ParticleGroupDef& def) {
     if (def.cosmetic) return 0;
-    constexpr double evaluations_of[] = {1, 1, 4, 2, 4};  // implicit Euler: Newton iterations
+    constexpr double evaluations_of[] = {1, 1, 4, 1, 4};  // implicit Euler: Newton iterations
     const double evaluations = evaluations_of[static_cast<int>(def.integrator)];
     const double count = def.count_max;
     double each = 1 + evaluations * (def.flow.speed > 0 ? 1 + def.flow.octaves : 0.5);

@@ -35,8 +35,10 @@ void semi_implicit_euler(const ParticleForces& forces, Vectors& x, Vectors& v, d
 void position_verlet(const ParticleForces& forces, Vectors& x, Vectors& v, double t, double h,
                      ParticleScratch& s) {
     move(x, v, 0.5 * h, x);
-    forces.accelerate(x, v, t + 0.5 * h, s.acceleration);
-    if (forces.has_drag()) {
+    if (forces.springs.empty()) {
+        forces.accelerate_after(x, v, t + 0.5 * h, 0.5 * h, s.acceleration);
+    } else {
+        forces.accelerate(x, v, t + 0.5 * h, s.acceleration);
         move(v, s.acceleration, 0.5 * h, s.stage_velocity);
         forces.accelerate(x, s.stage_velocity, t + 0.5 * h, s.acceleration);
     }

@@ -77,13 +77,6 @@ Vec3 force_of(const VortexField& field, Vec3 p) {
 
 }  // namespace
 
-bool ParticleForces::has_drag() const {
-    if (def.linear_drag > 0 || def.quadratic_drag > 0) return true;
-    for (const ParticleSpring& spring : springs)
-        if (spring.damping > 0) return true;
-    return false;
-}
-
 bool ParticleForces::has_medium() const {
     return def.follow_flow || def.linear_drag > 0 || def.quadratic_drag > 0;
 }
@@ -111,18 +104,19 @@ Vec3 ParticleForces::world_acceleration(Vec3 position) const {
     return sum;
 }
 
-Vec3 ParticleForces::acceleration_of(Vec3 position, Vec3 velocity, double time) const {
+Vec3 ParticleForces::position_acceleration(std::span<const Vec3> positions, std::size_t k) const {
     Vec3 sum = environment.gravity * def.gravity_scale;
     for (const ParticleAttractor& attractor : def.attractors)
-        sum += attraction_of(attractor, position);
-    if (!environment.fields.empty()) sum += world_acceleration(position);
-    if (def.linear_drag > 0 || def.quadratic_drag > 0) {
-        const Vec3 u = velocity - medium(position, time);
-        const double fast = def.quadratic_drag > 0 ? def.quadratic_drag * length(u) : 0;
-        sum -= u * (def.linear_drag + fast);
-    }
-    if (def.planar) sum.z = 0;
+        sum += attraction_of(attractor, positions[k]);
+    if (!environment.fields.empty()) sum += world_acceleration(positions[k]);
+    if (def.attraction != 0) sum += attraction_on(positions, k);
     return sum;
+}
+
+// `u`: velocity relative to the medium.
+Vec3 ParticleForces::drag_acceleration(Vec3 u) const {
+    const double fast = def.quadratic_drag > 0 ? def.quadratic_drag * length(u) : 0;
+    return u * -(def.linear_drag + fast);
 }
 
 Vec3 ParticleForces::attraction_on(std::span<const Vec3> positions, std::size_t k) const {
@@ -164,26 +158,37 @@ void ParticleForces::add_springs(std::span<const Vec3> positions, std::span<cons
 
 void ParticleForces::accelerate(std::span<const Vec3> positions, std::span<const Vec3> velocities,
                                 double time, std::span<Vec3> accelerations) const {
+    accelerate_after(positions, velocities, time, 0, accelerations);
+    if (!springs.empty()) add_springs(positions, velocities, accelerations);
+}
+
+void ParticleForces::accelerate_after(std::span<const Vec3> positions,
+                                      std::span<const Vec3> velocities, double time, double lead,
+                                      std::span<Vec3> accelerations) const {
     struct Task {
         const ParticleForces& forces;
         std::span<const Vec3> positions, velocities;
-        double time;
+        double time, lead;
         std::span<Vec3> accelerations;
-    } task{*this, positions, velocities, time, accelerations};
+
+        Vec3 of(std::size_t k) const {
+            Vec3 sum = forces.position_acceleration(positions, k);
+            if (forces.def.linear_drag > 0 || forces.def.quadratic_drag > 0) {
+                const Vec3 u = velocities[k] - forces.medium(positions[k], time);
+                const Vec3 now = sum + forces.drag_acceleration(u);
+                sum = lead == 0 ? now : sum + forces.drag_acceleration(u + now * lead);
+            }
+            if (forces.def.planar) sum.z = 0;
+            return sum;
+        }
+    } task{*this, positions, velocities, time, lead, accelerations};
     // The lambda captures one reference, so std::function allocates nothing.
-    const bool attract = def.attraction != 0;
-    for_ranges(environment.world, positions.size(), attract ? attraction_grain : force_grain,
-               [&task](int first, int last) {
+    for_ranges(environment.world, positions.size(),
+               def.attraction != 0 ? attraction_grain : force_grain, [&task](int first, int last) {
                    for (auto k = static_cast<std::size_t>(first);
-                        k < static_cast<std::size_t>(last); k++) {
-                       Vec3 a = task.forces.acceleration_of(task.positions[k], task.velocities[k],
-                                                            task.time);
-                       if (task.forces.def.attraction != 0)
-                           a += task.forces.attraction_on(task.positions, k);
-                       task.accelerations[k] = a;
-                   }
+                        k < static_cast<std::size_t>(last); k++)
+                       task.accelerations[k] = task.of(k);
                });
-    if (!springs.empty()) add_springs(positions, velocities, accelerations);
 }
 
 Mat3 ParticleForces::stiffness(Vec3 position, Vec3 velocity, double time, double h) const {

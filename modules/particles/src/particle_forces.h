@@ -18,13 +18,17 @@ struct ParticleForces {
     // Velocity of the medium at a point.
     physics::Vec3 medium(physics::Vec3 position, double time) const;
     bool has_medium() const;
-    // Whether accelerations depend on velocities.
-    bool has_drag() const;
 
     // Writes the acceleration of each particle. Uses the threads of the world.
     void accelerate(std::span<const physics::Vec3> positions,
                     std::span<const physics::Vec3> velocities, double time,
                     std::span<physics::Vec3> accelerations) const;
+
+    // Likewise without springs, but with the drag of the velocities that the particles reach `lead`
+    // seconds later with their accelerations. The medium is evaluated once.
+    void accelerate_after(std::span<const physics::Vec3> positions,
+                          std::span<const physics::Vec3> velocities, double time, double lead,
+                          std::span<physics::Vec3> accelerations) const;
 
     // Derivatives of the acceleration of one particle without springs, times h by its velocity plus
     // h^2 by its position. The motion of the medium, fields of the world and mutual attraction are
@@ -33,8 +37,9 @@ struct ParticleForces {
                             double h) const;
 
 private:
-    physics::Vec3 acceleration_of(physics::Vec3 position, physics::Vec3 velocity,
-                                  double time) const;
+    physics::Vec3 position_acceleration(std::span<const physics::Vec3> positions,
+                                        std::size_t k) const;
+    physics::Vec3 drag_acceleration(physics::Vec3 u) const;
     physics::Vec3 world_acceleration(physics::Vec3 position) const;
     void add_springs(std::span<const physics::Vec3> positions,
                      std::span<const physics::Vec3> velocities,

@@ -171,9 +171,10 @@ TEST(ParticlesState, limits_are_errors) {
     World world = test::make_world();
     Particles& module = particles_of(world);
     for (int k = 0; k < 10; k++) test::must(module.add(world, {.count_max = 100000}));
-    EXPECT_EQ(module.work(), 10 * 1e5 * 4);
-    EXPECT_EQ(module.add(world, {.count_max = 1}).error().message,
-              "the groups need 4000004 units of work per step; the maximum is 4000000; reduce "
+    EXPECT_EQ(module.work(), 10 * 1e5 * 3.5);
+    test::must(module.add(world, {.substeps = 5, .count_max = 28571}));
+    EXPECT_EQ(module.add(world, {.count_max = 10}).error().message,
+              "the groups need 4000027 units of work per step; the maximum is 4000000; reduce "
               "count_max, substeps or flow.octaves");
     EXPECT_EQ(module.set(module.groups()[0], {.substeps = 64}).ok(), true) << "1000 particles";
     EXPECT_FALSE(module.set(module.groups()[0], {.substeps = 64, .count_max = 100000}).ok());

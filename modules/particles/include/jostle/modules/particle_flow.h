@@ -34,7 +34,7 @@ struct ParticleFlow {
     double speed = 0;   ///< m/s, root mean square of the eddies far from walls, 0 to 1e3; 0: none
     double scale = 1;   ///< m, size of the largest eddies, 0.01 to 1e6
     double rate = 0.5;  ///< 1/s, rate at which the largest eddies change, 0 to 1e3; 0 freezes them
-    std::uint32_t octaves = 3;  ///< 1 to 8; each has half the size and is weaker by 2^(1/3)
+    std::uint32_t octaves = 2;  ///< 1 to 8; each has half the size and is weaker by 2^(1/3)
     std::uint32_t seed = 1;     ///< selects the random flow
     double ramp = 0.5;          ///< m, distance from a wall at which its effect ends, 1e-3 to 1e6
     std::vector<FlowWall> walls = {};  ///< at most walls_max

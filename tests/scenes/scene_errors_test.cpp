@@ -306,11 +306,11 @@ TEST(SceneErrors, rejects_unknown_and_duplicate_modules) {
     test::register_turntable();
     expect_refused(with_module("\n\"tag\": \"submarine\""),
                    "line 6: modules[0].tag: is \"submarine\"; it must be one of "
-                   "boat, character, destruction, fields, hovercraft, katamari, particles, "
+                   "boat, character, crowd, destruction, fields, hovercraft, katamari, particles, "
                    "ragdoll, turntable, vehicle");
     expect_refused(with_module("\"settings\": {}"),
                    "modules[0].tag: is \"\"; it must be one of boat, "
-                   "character, destruction, fields, hovercraft, katamari, particles, ragdoll, "
+                   "character, crowd, destruction, fields, hovercraft, katamari, particles, ragdoll, "
                    "turntable, vehicle");
     expect_refused(
         with_module("\"tag\": \"turntable\"},\n{\"tag\": \"turntable\""),
@@ -321,7 +321,7 @@ TEST(SceneErrors, rejects_unknown_and_duplicate_modules) {
     ASSERT_FALSE(built.ok());
     EXPECT_EQ(built.error().message,
               "modules[0] 'submarine': module \"submarine\" is not registered (registered: boat, "
-              "character, destruction, fields, hovercraft, katamari, particles, ragdoll, "
+              "character, crowd, destruction, fields, hovercraft, katamari, particles, ragdoll, "
               "turntable, vehicle); "
               "call register_module() first");
 }

@@ -9,6 +9,7 @@
 
 #include "jostle/physics/hull.h"
 #include "jostle/physics/mesh.h"
+#include "physics/src/geometry/bvh.h"
 
 namespace jostle::bench {
 namespace {
@@ -326,21 +327,17 @@ double depth(const ConvexShape auto& shape, const Transform& pose, const Mesh& m
     const Vec3 reach = reach_of(shape, in_mesh), low = in_mesh.position - reach,
                high = in_mesh.position + reach;
     double deepest = 0;
-    for (const auto& triangle : mesh.data->triangles) {
+    mesh.data->tree->query({low, high}, [&](std::uint32_t index) {
+        const std::array<std::uint32_t, 3>& triangle = mesh.data->triangles[index];
         const std::array<Vec3, 3> corners = {mesh.data->vertices[triangle[0]],
                                              mesh.data->vertices[triangle[1]],
                                              mesh.data->vertices[triangle[2]]};
-        const Vec3 least = min(corners[0], min(corners[1], corners[2])),
-                   most = max(corners[0], max(corners[1], corners[2]));
-        if (least.x > high.x || most.x < low.x || least.z > high.z || most.z < low.z ||
-            least.y > high.y || most.y < low.y)
-            continue;
         const Vec3 normal = normalized(cross(corners[1] - corners[0], corners[2] - corners[0]));
         const Vec3 point = furthest_point(shape, in_mesh, -normal);
         const double below = dot(corners[0] - point, normal);
         if (below > deepest && below < deepest_in_mesh && is_within(point, corners, normal))
             deepest = below;
-    }
+    });
     return deepest;
 }
 

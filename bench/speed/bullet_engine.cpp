@@ -74,7 +74,7 @@ btTransform world_frame(Vec3 origin, Vec3 x, Vec3 y, Vec3 z) {
 
 std::unique_ptr<btTypedConstraint> make_constraint(const JointAxes& axes,
                                                    const physics::JointKind& kind, btRigidBody& a,
-                                                   btRigidBody& b) {
+                                                   btRigidBody& b, double step_seconds) {
     const btTransform to_a = a.getWorldTransform().inverse();
     const btTransform to_b = b.getWorldTransform().inverse();
     if (const auto* shoulder = std::get_if<physics::ConeTwistJoint>(&kind)) {
@@ -91,6 +91,10 @@ std::unique_ptr<btTypedConstraint> make_constraint(const JointAxes& axes,
         // Bullet's hinge angle is that of a relative to b.
         const physics::JointLimit& limit = jostle_hinge->limit;
         if (limit.enabled) hinge->setLimit(scalar(-limit.upper), scalar(-limit.lower));
+        const physics::JointMotor& motor = jostle_hinge->motor;
+        if (motor.enabled)
+            hinge->enableAngularMotor(true, scalar(-motor.speed),
+                                      scalar(motor.max_torque * step_seconds));
         return hinge;
     }
     const btVector3 anchor = vector(axes.anchor);
@@ -114,7 +118,8 @@ public:
             add_body(scene.bodies[k], (*masses)[k], scene.world.sleeping);
         for (const SceneJoint& joint : scene.joints) {
             constraints_.push_back(make_constraint(axes_of(scene, joint), joint.joint.kind,
-                                                   *bodies_[joint.body_a], *bodies_[joint.body_b]));
+                                                   *bodies_[joint.body_a], *bodies_[joint.body_b],
+                                                   step_seconds_));
             world_.addConstraint(constraints_.back().get(), true);
         }
         return {};

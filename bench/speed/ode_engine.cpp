@@ -227,7 +227,7 @@ private:
         const JointAxes axes = axes_of(*scene_, joint);
         const dBodyID a = bodies_[joint.body_a], b = bodies_[joint.body_b];
         if (const auto* hinge = std::get_if<physics::HingeJoint>(&joint.joint.kind))
-            return add_hinge(a, b, axes, hinge->limit);
+            return add_hinge(a, b, axes, *hinge);
         const Vec3 at = axes.anchor;
         const dJointID ball = dJointCreateBall(world_, nullptr);
         dJointAttach(ball, a, b);
@@ -236,16 +236,21 @@ private:
             add_swing_limits(a, b, axes, *shoulder);
     }
 
-    void add_hinge(dBodyID a, dBodyID b, const JointAxes& axes, const physics::JointLimit& limit) {
+    void add_hinge(dBodyID a, dBodyID b, const JointAxes& axes, const physics::HingeJoint& def) {
         const Vec3 at = axes.anchor, axis = axes.z;
         const dJointID hinge = dJointCreateHinge(world_, nullptr);
         dJointAttach(hinge, a, b);
         dJointSetHingeAnchor(hinge, at.x, at.y, at.z);
         dJointSetHingeAxis(hinge, axis.x, axis.y, axis.z);
-        if (!limit.enabled) return;
         // ODE's hinge angle is that of a relative to b.
-        dJointSetHingeParam(hinge, dParamLoStop, -limit.upper);
-        dJointSetHingeParam(hinge, dParamHiStop, -limit.lower);
+        if (def.limit.enabled) {
+            dJointSetHingeParam(hinge, dParamLoStop, -def.limit.upper);
+            dJointSetHingeParam(hinge, dParamHiStop, -def.limit.lower);
+        }
+        if (def.motor.enabled) {
+            dJointSetHingeParam(hinge, dParamVel, -def.motor.speed);
+            dJointSetHingeParam(hinge, dParamFMax, def.motor.max_torque);
+        }
     }
 
     // Euler angles: two swings, the first about a's own normal, then the twist about b's own axis.

@@ -56,9 +56,9 @@ Fault fault_of(const SceneBody& body) {
 
 Fault fault_of_kind(const physics::JointKind& kind) {
     if (const auto* hinge = std::get_if<physics::HingeJoint>(&kind))
-        return *hinge == physics::HingeJoint{.limit = hinge->limit}
+        return *hinge == physics::HingeJoint{.limit = hinge->limit, .motor = hinge->motor}
                    ? nullptr
-                   : "is a hinge with more than limits";
+                   : "is a hinge with more than limits and a motor";
     if (const auto* shoulder = std::get_if<physics::ConeTwistJoint>(&kind))
         return shoulder->friction_torque == 0 && shoulder->twist.enabled
                    ? nullptr

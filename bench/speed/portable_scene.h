@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Portable scenes: all engines support them, and their errors can be measured. They contain bodies
-// of spheres, capsules, boxes and hulls, static meshes, ball joints, hinges and cone_twist joints.
+// of spheres, capsules, boxes and hulls, static meshes, ball joints, hinges, which may have motors,
+// and cone_twist joints.
 // The functions convert such a scene to terms that all engines share.
 #pragma once
 

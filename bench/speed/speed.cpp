@@ -15,14 +15,16 @@
 #include "bench/speed/speed_row.h"
 #include "bench/speed/speed_scenes.h"
 #include "bench/speed/speed_table.h"
-#include "jostle/scenes/catalog.h"
 
 namespace jostle::bench {
 namespace {
 
 constexpr const char* footer = R"(
 All scenes have 60 steps per second, gravity 9.81 m/s^2, density 1000 kg/m^3, friction 0.5 for each
-pair, no restitution, and damping 0.05 /s. Each row runs in its own process, so that its memory is
+pair, no restitution, and damping 0.05 /s; only wheels, wheels_mesh and mixed_masses have densities
+and frictions of their own. --scene moving selects the scenes in which all bodies move. The options
+of scenes (--count and others) apply to each selected scene that has them, and the end of a line and
+the result files state their values. Each row runs in its own process, so that its memory is
 measured separately; if an engine crashes, its row records the failure. Only the steps are timed, in
 CPU time of the thread with one thread and in wall-clock time with more threads (column clock). A
 second run of the same steps checks the accuracy every 10 steps, from the geometry of the shapes and
@@ -44,8 +46,10 @@ Columns:
   tunnel                     bodies that passed the wall of scenes i and box_shot
   MiB                        peak memory of the process
 
---growth measures scene d with other numbers of bodies on a floor of 0.02 m^2 per body, so that the
-depth of the pile is constant: 300 steps, then the mean of 60, and the memory per body.
+--growth measures one scene with several numbers of bodies: 300 steps, then the mean of 60, and the
+memory per body. A pile is scene d on a floor of 0.02 m^2 per body, so that its depth is constant; a
+chain is scene chain. The last lines fit ms_mean = c * bodies^p to the rows of each engine (least
+squares of the logarithms): exponent p is 1 if the time per body is constant.
 
 --server measures a whole server: jostle-server hosts each scene, --clients clients of jostle-load
 play in it over loopback, and jostlectl records its ticks from the time when all clients have
@@ -68,7 +72,9 @@ Examples:
   jostle-bench speed --scene all --json speed.json --csv speed.csv
   tools/analysis/plot.py speed speed.csv -o speed.svg
   jostle-bench speed --server --scene trees,washer --json server.json
-  jostle-bench speed --growth 500,1000,2000 --peers bullet --plot growth.svg
+  jostle-bench speed --scene wheels,wheels_mesh --wheels 8 --cell 1 --peers none
+  jostle-bench speed --growth 500,1000,2000 --peers bullet --csv growth.csv
+  jostle-bench speed --growth 100,1000,10000 --growth-of chain --peers none
 
 Exit status: 0 success, 1 a row failed or a file could not be written, 2 invalid flags.)";
 
@@ -79,6 +85,8 @@ struct Flags {
     std::vector<int> threads = {1};
     std::vector<std::string> peers = {"all"};
     std::vector<int> growth;
+    std::string growth_of = "pile";
+    ParameterValues parameters;
     bool server = false;
     int clients = 20;
     double seconds = 10;
@@ -125,13 +133,19 @@ bool contains(const std::vector<std::string>& list, const std::string& name) {
     return std::find(list.begin(), list.end(), name) != list.end();
 }
 
+bool is_named(const Flags& flags, const SpeedScene& scene) {
+    return contains(flags.scenes, scene.letter) || contains(flags.scenes, scene.name);
+}
+
+// For a server, all and moving select the scenes of the catalogue.
 std::vector<const SpeedScene*> selected_scenes(const Flags& flags) {
     std::vector<const SpeedScene*> chosen;
-    for (const SpeedScene& scene : speed_scenes())
-        if (contains(flags.scenes, "all") || contains(flags.scenes, scene.letter) ||
-            contains(flags.scenes, scene.name) ||
-            (scene.all_move && contains(flags.scenes, "moving")))
+    for (const SpeedScene& scene : speed_scenes()) {
+        const bool is_in_group =
+            contains(flags.scenes, "all") || (scene.all_move && contains(flags.scenes, "moving"));
+        if (is_named(flags, scene) || (is_in_group && (!flags.server || is_in_catalogue(scene))))
             chosen.push_back(&scene);
+    }
     return chosen;
 }
 
@@ -204,7 +218,8 @@ int run_scenes(const Flags& flags) {
                                                        .threads = configuration.threads,
                                                        .steps = flags.steps,
                                                        .sleep = flags.sleep == "on",
-                                                       .accuracy = !flags.no_accuracy});
+                                                       .accuracy = !flags.no_accuracy,
+                                                       .parameters = flags.parameters});
             table.add(row, speed_line(row));
         }
     nlohmann::ordered_json head = result_header("speed");
@@ -213,17 +228,24 @@ int run_scenes(const Flags& flags) {
 }
 
 int run_growth(const Flags& flags) {
+    const GrowthScene& scene = *find_growth_scene(flags.growth_of);
     Table<GrowthRow> table;
+    std::vector<GrowthRow> rows;
     print_line(growth_heading());
     for (const int bodies : flags.growth)
         for (const EngineConfiguration& configuration : configurations(flags)) {
-            const GrowthRow row =
-                measure_growth_in_child(*configuration.engine, configuration.threads, bodies);
-            table.add(row, growth_line(row));
+            rows.push_back(measure_growth_in_child(scene, *configuration.engine,
+                                                   configuration.threads, bodies));
+            table.add(rows.back(), growth_line(rows.back()));
         }
     nlohmann::ordered_json head = result_header("speed growth");
     head["steps_before"] = growth_steps_before;
     head["steps_timed"] = growth_steps_timed;
+    head["exponents"] = nlohmann::ordered_json::array();
+    for (const GrowthFit& fit : fit_growth(rows)) {
+        print_line(growth_fit_line(fit));
+        head["exponents"].push_back(to_json(fit));
+    }
     return write_files(flags, head, table.json) && !table.failed ? 0 : 1;
 }
 
@@ -254,17 +276,23 @@ int run(const Flags& flags) {
     return flags.growth.empty() ? run_scenes(flags) : run_growth(flags);
 }
 
-std::string about(const SpeedScene& scene) {
-    for (const scenes::CatalogEntry& entry : scenes::catalog())
-        if (entry.name == scene.name) return std::string(entry.description);
-    return "";
+// "[--wheels N: 10; 2 to 32, even]"
+std::string option_text(const ParameterRange& range) {
+    const ParameterKind& kind = parameter_kinds()[static_cast<std::size_t>(range.parameter)];
+    char standard[32];
+    std::snprintf(standard, sizeof standard, "%g", range.standard);
+    return std::string("[") + kind.option + " " + kind.type_name + ": " + standard + "; " +
+           range_text(range) + "]";
 }
 
 std::string scene_and_engine_list() {
     std::string text = "Scenes:\n";
-    for (const SpeedScene& scene : speed_scenes())
+    for (const SpeedScene& scene : speed_scenes()) {
         text += std::string("  ") + scene.letter + "  " + scene.name + ", " +
-                std::to_string(scene.steps) + " steps: " + about(scene) + "\n";
+                std::to_string(scene.steps) + " steps: " + description_of(scene) + "\n";
+        for (const ParameterRange& range : scene.parameters)
+            text += "      " + option_text(range) + "\n";
+    }
     text += "\nEngines (peers run on one thread, regardless of --threads):\n";
     for (const EngineKind& kind : engine_kinds())
         text += std::string("  ") + kind.name + (kind.make ? "" : " (not built in)") + ": " +
@@ -272,11 +300,36 @@ std::string scene_and_engine_list() {
     return text;
 }
 
+// The options that set parameters of scenes.
+std::vector<CLI::Option*> add_parameters(CLI::App& command, Flags& flags) {
+    std::vector<CLI::Option*> options;
+    for (std::size_t k = 0; k < parameter_count; k++) {
+        const ParameterKind& kind = parameter_kinds()[k];
+        options.push_back(command.add_option(kind.option, flags.parameters[k], kind.help)
+                              ->type_name(kind.type_name)
+                              ->group("Options of scenes (see the list below)"));
+    }
+    return options;
+}
+
+// Throws an error for a flag that does not fit the selected scenes.
+void check_selection(const Flags& flags) {
+    const std::vector<const SpeedScene*> selected = selected_scenes(flags);
+    if (const auto status = check_parameters(selected, flags.parameters); !status)
+        throw CLI::ValidationError(status.error().message);
+    if (!flags.server) return;
+    for (const SpeedScene* scene : selected)
+        if (!is_in_catalogue(*scene) && is_named(flags, *scene))
+            throw CLI::ValidationError(std::string("--scene: ") + scene->letter +
+                                       " is not in the catalogue of jostle-server");
+}
+
 // Adds the flags that require --server; excludes the flags that do not apply to a server.
-void add_server_flags(CLI::App& command, Flags& flags, std::initializer_list<CLI::Option*> others) {
+void add_server_flags(CLI::App& command, Flags& flags, const std::vector<CLI::Option*>& others) {
     CLI::Option* server = command.add_flag("--server", flags.server,
                                            "Measure a server with clients instead of the engines\n"
-                                           "[default scenes: c and moving]");
+                                           "[default scenes: c and those of moving in its\n"
+                                           "catalogue]");
     for (CLI::Option* other : others) server->excludes(other);
     command
         .add_option("--clients", flags.clients,
@@ -338,22 +391,33 @@ void add_speed(CLI::App& app, int& status) {
             ->check(CLI::IsMember({"on", "off"}).description(""));
     CLI::Option* no_accuracy = command->add_flag("--no-accuracy", flags->no_accuracy,
                                                  "Skip the second run, which checks the accuracy");
-    CLI::Option* growth =
-        command
-            ->add_option("--growth", flags->growth,
-                         "Measure piles with these numbers of bodies instead of scenes\n"
-                         "[1 to 1000000]")
-            ->type_name("N")
-            ->delimiter(',')
-            ->check(CLI::Range(1, 1000000).description(""))
-            ->excludes(scene)
-            ->excludes(steps);
+    CLI::Option* growth = command
+                              ->add_option("--growth", flags->growth,
+                                           "Measure a pile or chain with these numbers of bodies\n"
+                                           "[1 to 1000000]")
+                              ->type_name("N")
+                              ->delimiter(',')
+                              ->check(CLI::Range(1, 1000000).description(""))
+                              ->excludes(scene)
+                              ->excludes(steps);
+    command
+        ->add_option("--growth-of", flags->growth_of,
+                     "Scene of --growth: pile or chain [default: pile]")
+        ->type_name("pile|chain")
+        ->check(CLI::IsMember({"pile", "chain"}).description(""))
+        ->needs(growth);
     command->add_option("--json", flags->json, "Write the rows as JSON")->type_name("FILE");
     command->add_option("--csv", flags->csv, "Write the rows as CSV")->type_name("FILE");
-    add_server_flags(*command, *flags, {peers, steps, sleep, no_accuracy, growth});
+    std::vector<CLI::Option*> engines_only = {peers, steps, sleep, no_accuracy, growth};
+    for (CLI::Option* parameter : add_parameters(*command, *flags)) {
+        parameter->excludes(growth);
+        engines_only.push_back(parameter);
+    }
+    add_server_flags(*command, *flags, engines_only);
     command->footer("\n" + scene_and_engine_list() + footer);
     command->callback([flags, scene, &status] {
         if (flags->server && scene->count() == 0) flags->scenes = {"c", "moving"};
+        check_selection(*flags);
         status = run(*flags);
     });
 }

@@ -199,7 +199,8 @@ SpeedRow named_row(const RowRequest& request) {
             .name = request.scene->name,
             .engine = request.engine->name,
             .threads = request.threads,
-            .steps = request.steps};
+            .steps = request.steps,
+            .parameters = values_of(request.scene->parameters, request.parameters)};
 }
 
 struct TimedRun {
@@ -237,7 +238,7 @@ physics::Result<TimedRun> run_timed(SpeedRow& row, const RowRequest& request,
 }  // namespace
 
 SpeedRow measure_row(const RowRequest& request) {
-    SceneDescription scene = build(*request.scene);
+    SceneDescription scene = build(*request.scene, request.parameters);
     scene.world.threads = request.threads;
     scene.world.sleeping = request.sleep || request.scene->sleeps || request.scene->asleep_first;
     SpeedRow row = named_row(request);
@@ -318,6 +319,7 @@ std::optional<double> SpeedRow::error_m() const {
 nlohmann::ordered_json to_json(const SpeedRow& row) {
     nlohmann::ordered_json json;
     visit_identity(row, FieldWriter{json});
+    write_parameters(json, row.parameters);
     if (!row.failed) visit_figures(row, FieldWriter{json});
     return json;
 }
@@ -325,6 +327,7 @@ nlohmann::ordered_json to_json(const SpeedRow& row) {
 SpeedRow speed_row_from(const nlohmann::ordered_json& json) {
     SpeedRow row;
     visit_identity(row, FieldReader{json});
+    row.parameters = read_parameters(json);
     if (!row.failed) visit_figures(row, FieldReader{json});
     return row;
 }

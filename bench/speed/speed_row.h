@@ -18,6 +18,7 @@ struct SpeedRow {
     std::string engine;
     int threads = 1;
     int steps = 0;
+    ParameterValues parameters;         // those of the scene
     std::optional<std::string> failed;  // the reason why there are no values
 
     int bodies = 0;
@@ -62,6 +63,7 @@ struct RowRequest {
     int steps = 0;  // 0: the scene's default
     bool sleep = false;
     bool accuracy = true;
+    ParameterValues parameters = {};  // empty: the default of the scene
 };
 
 // Times only the steps of the scene. Accuracy is checked in a second run of the same steps, because

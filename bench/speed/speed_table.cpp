@@ -32,9 +32,10 @@ std::string cell(const std::string& text, int width) {
     return print(" %*s", width, text.c_str());
 }
 
-// Warnings after the last column.
-std::string warnings(const SpeedRow& row) {
-    std::string text;
+// Parameters of the scene and warnings, after the last column.
+std::string remarks(const SpeedRow& row) {
+    std::string text = parameter_text(row.parameters);
+    if (!text.empty()) text = "  " + text;
     if (row.bodies_lost.value_or(0) > 0)
         text += "  " + std::to_string(*row.bodies_lost) + " bodies lost";
     if (!row.repeats.value_or(true)) text += "  the second run differs";
@@ -64,7 +65,7 @@ std::string speed_heading() {
 
 std::string speed_line(const SpeedRow& row) {
     const std::string start = identity(row.scene + " " + row.name, row.engine, row.threads);
-    if (row.failed) return start + "  failed: " + *row.failed;
+    if (row.failed) return start + remarks(row) + "  failed: " + *row.failed;
     return start + print(" %6d %5d %9.4g", row.bodies, row.steps, row.ms_mean) +
            cell(milliseconds(row.ms_moving_mean), 9) + cell(milliseconds(row.ms_rest_mean), 9) +
            print(" %9.4g %9.4g %9.4g %5s", row.ms_p99, row.ms_worst, row.ms_first,
@@ -75,7 +76,7 @@ std::string speed_line(const SpeedRow& row) {
            cell(millimetres(row.joint_drift_m), 8) + cell(millimetres(row.peak_joint_drift_m), 8) +
            cell(count(row.asleep_at_step), 6) + cell(count(row.awake_at_end), 6) +
            cell(count(row.moving_at_end), 6) + print(" %8.3f", row.top_m) +
-           cell(count(row.tunnelled), 6) + print(" %6.1f", row.rss_mib) + warnings(row);
+           cell(count(row.tunnelled), 6) + print(" %6.1f", row.rss_mib) + remarks(row);
 }
 
 std::string growth_heading() {
@@ -87,6 +88,11 @@ std::string growth_line(const GrowthRow& row) {
     const std::string start = identity(std::to_string(row.bodies), row.engine, row.threads);
     if (row.failed) return start + "  failed: " + *row.failed;
     return start + print(" %8.4g %5s %10.0f", row.ms_mean, row.clock.c_str(), row.bytes_per_body);
+}
+
+std::string growth_fit_line(const GrowthFit& fit) {
+    const std::string start = identity("exponent of bodies", fit.engine, fit.threads);
+    return start + cell(fit.exponent ? print("%.3f", *fit.exponent) : nothing, 8);
 }
 
 std::string server_heading() {

@@ -16,6 +16,8 @@ std::string speed_line(const SpeedRow& row);
 
 std::string growth_heading();
 std::string growth_line(const GrowthRow& row);
+// The last lines of the table.
+std::string growth_fit_line(const GrowthFit& fit);
 
 std::string server_heading();
 std::string server_line(const ServerRow& row);

@@ -1,11 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Benchmark scenes with persistent motion: hulls, compounds, meshes, long chains and many fast
-// bodies.
+// Benchmark scenes with persistent motion: hulls, compounds, meshes and many fast bodies.
 #include <array>
 
-#include "jostle/physics/hull.h"
 #include "jostle/physics/mesh.h"
+#include "jostle/scenes/bench_scenes.h"
 #include "scenes/src/bench_scene_parts.h"
 #include "scenes/src/scene_helpers.h"
 
@@ -14,64 +13,6 @@ namespace jostle::scenes {
 using namespace physics;
 
 namespace {
-
-Geometry hull_of(std::span<const Vec3> points) {
-    return Hull{build_hull(points).value()};
-}
-
-// A hull of points in random directions.
-Geometry round_stone(Random& random, int corners, double radius) {
-    std::vector<Vec3> points;
-    for (int k = 0; k < corners; k++) {
-        const double x = random.in(-1, 1), y = random.in(-1, 1), z = random.in(-1, 1);
-        points.push_back(normalized(Vec3{x, y, z}) * radius);
-    }
-    return hull_of(points);
-}
-// Several stones, so that not every body has hull data of its own.
-std::vector<Geometry> round_stones(Random& random, int count, int corners, double radius) {
-    std::vector<Geometry> stones;
-    for (int k = 0; k < count; k++) stones.push_back(round_stone(random, corners, radius));
-    return stones;
-}
-
-// A prism with the given number of sides between two discs, whose radii may differ.
-Geometry prism(int sides, Vec3 from, double radius_from, Vec3 to, double radius_to) {
-    const Vec3 along = normalized(to - from);
-    const Vec3 x =
-        normalized(cross(along, absolute(along.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 0, 1}));
-    const Vec3 y = cross(along, x);
-    std::vector<Vec3> points;
-    for (int k = 0; k < sides; k++) {
-        const SinCos at = sin_cos(2 * pi * k / sides);
-        const Vec3 out = x * at.cos + y * at.sin;
-        points.push_back(from + out * radius_from);
-        points.push_back(to + out * radius_to);
-    }
-    return hull_of(points);
-}
-
-// A square of cells around the origin, as a mesh with two triangles per cell.
-template <class Height>
-SceneBody mesh_ground(std::uint32_t cells, double spacing, Height&& height) {
-    std::vector<Vec3> vertices;
-    std::vector<std::array<std::uint32_t, 3>> triangles;
-    for (std::uint32_t r = 0; r <= cells; r++)
-        for (std::uint32_t c = 0; c <= cells; c++) {
-            const double x = (c - 0.5 * cells) * spacing, z = (r - 0.5 * cells) * spacing;
-            vertices.push_back({x, height(x, z), z});
-        }
-    for (std::uint32_t r = 0; r < cells; r++)
-        for (std::uint32_t c = 0; c < cells; c++) {
-            const std::uint32_t v = r * (cells + 1) + c, below = v + cells + 1;
-            triangles.push_back({v, below, v + 1});
-            triangles.push_back({v + 1, below, below + 1});
-        }
-    return {.name = "ground",
-            .body = {.type = BodyType::static_body},
-            .shapes = {{.geometry = Mesh{build_mesh(vertices, triangles).value()}}},
-            .color = {}};
-}
 
 // A lying ring, as a mesh.
 Geometry torus(double radius, double tube) {
@@ -89,11 +30,6 @@ Geometry torus(double radius, double tube) {
             triangles.push_back({q, next + adjacent, next + j});
         }
     return Mesh{build_mesh(vertices, triangles).value()};
-}
-
-Quat random_turn(Random& random) {
-    const double x = random.in(-1, 1), y = random.in(-1, 1), z = random.in(-1, 1);
-    return from_axis_angle(Vec3{x, y, z} + Vec3{0, 1e-3, 0}, random.in(0, 2 * pi));
 }
 
 // Stones in columns, with random rotations.
@@ -130,6 +66,32 @@ SceneBody tree(Random& random, double height) {
     return body;
 }
 
+// A drum of 36 staves along the z axis, which turns at this angular velocity (rad/s), and its fixed
+// ends. Every ninth stave is a paddle.
+void add_drum(SceneDescription& scene, double angular_velocity) {
+    constexpr int staves = 36;
+    constexpr double radius = 4, half_length = 3, thickness = 0.25, paddle = 0.5;
+    SceneBody drum{
+        .name = "drum",
+        .body = {.type = BodyType::kinematic, .angular_velocity = {0, 0, angular_velocity}},
+        .shapes = {},
+        .color = {}};
+    for (int k = 0; k < staves; k++) {
+        const double inside = radius - (k % 9 == 0 ? paddle : 0), outside = radius + 2 * thickness;
+        const double half_width = outside * 1.02 * pi / staves;
+        const Quat turn = from_axis_angle({0, 0, 1}, 2 * pi * k / staves);
+        std::vector<Vec3> corners;
+        for (const double x : {inside, outside})
+            for (const double y : {-half_width, half_width})
+                for (const double z : {-half_length, half_length})
+                    corners.push_back(rotate(turn, {x, y, z}));
+        drum.shapes.push_back({.geometry = hull_of(corners)});
+    }
+    scene.bodies.push_back(drum);
+    for (const double side : {1.0, -1.0})
+        scene.bodies.push_back(fixed_box("end", {0, 0, side * (half_length + 0.5)}, {6, 6, 0.5}));
+}
+
 }  // namespace
 
 SceneDescription bench_trees() {
@@ -161,33 +123,27 @@ SceneDescription bench_convex_pile() {
 }
 
 SceneDescription bench_washer() {
-    constexpr int staves = 36;
-    constexpr double radius = 4, half_length = 3, thickness = 0.25, paddle = 0.5;
     SceneDescription scene;
-    SceneBody drum{.name = "drum",
-                   .body = {.type = BodyType::kinematic, .angular_velocity = {0, 0, 0.5}},
-                   .shapes = {},
-                   .color = {}};
-    for (int k = 0; k < staves; k++) {
-        const double inside = radius - (k % 9 == 0 ? paddle : 0), outside = radius + 2 * thickness;
-        const double half_width = outside * 1.02 * pi / staves;
-        const Quat turn = from_axis_angle({0, 0, 1}, 2 * pi * k / staves);
-        std::vector<Vec3> corners;
-        for (const double x : {inside, outside})
-            for (const double y : {-half_width, half_width})
-                for (const double z : {-half_length, half_length})
-                    corners.push_back(rotate(turn, {x, y, z}));
-        drum.shapes.push_back({.geometry = hull_of(corners)});
-    }
-    scene.bodies.push_back(drum);
-    for (const double side : {1.0, -1.0})
-        scene.bodies.push_back(fixed_box("end", {0, 0, side * (half_length + 0.5)}, {6, 6, 0.5}));
+    add_drum(scene, 0.5);
     for (int y = 0; y < 20; y++)
         for (int z = 0; z < 20; z++)
             for (int x = 0; x < 20; x++)
                 scene.bodies.push_back(
                     dynamic_body("cube", {(x - 9.5) * 0.22, (y - 9.5) * 0.22, (z - 9.5) * 0.22},
                                  Box{{0.1, 0.1, 0.1}}));
+    return with_bench_defaults(std::move(scene));
+}
+
+SceneDescription bench_drum(double degrees_per_second) {
+    constexpr int columns = 14, rows = 16;
+    const Geometry kinds[] = {Box{{0.15, 0.15, 0.15}}, Sphere{0.16}, Capsule{0.1, 0.12}};
+    SceneDescription scene;
+    add_drum(scene, degrees_per_second * pi / 180);
+    for (int k = 0; k < 2000; k++) {
+        const int x = k % columns, z = k / columns % rows, y = k / (columns * rows);
+        const Vec3 at{(x - 6.5) * 0.35, (y - 4.0) * 0.46, (z - 7.5) * 0.35};
+        scene.bodies.push_back(dynamic_body("piece", at, kinds[k % 3]));
+    }
     return with_bench_defaults(std::move(scene));
 }
 
@@ -200,19 +156,6 @@ SceneDescription bench_hull_terrain() {
     Random random;
     const auto stones = round_stones(random, 30, 24, 0.5);
     add_stones(scene, random, stones, 10, 3, 1.6, 5);
-    return with_bench_defaults(std::move(scene));
-}
-
-SceneDescription bench_chain() {
-    SceneDescription scene;
-    const Quat along_x = from_axis_angle({0, 0, 1}, -pi / 2);
-    for (int k = 0; k < 1000; k++) {
-        scene.bodies.push_back(dynamic_body("link", {0.5 * k, 0, 0}, Capsule{0.1, 0.14}, along_x));
-        if (k > 0)
-            join(scene, "joint", scene.bodies.size() - 2, scene.bodies.size() - 1,
-                 {{0.5 * k - 0.25, 0, 0}, {}}, BallJoint{});
-    }
-    scene.bodies[0].body.type = BodyType::static_body;
     return with_bench_defaults(std::move(scene));
 }
 

@@ -90,6 +90,17 @@ TEST_P(EveryEngine, hinge_stops_at_its_lower_limit) {
     EXPECT_NEAR(length(out), 0.5, 0.01);
 }
 
+// The speed is that of the arm relative to the post: 1 rad/s for 1 s, against a weight of 145 N m.
+TEST_P(EveryEngine, hinge_motor_raises_the_arm) {
+    add_post_and_arm();
+    join(scene_, "elbow", 1, 2, {{1.1, 3, 0}, {}},
+         HingeJoint{.motor = {.enabled = true, .speed = 1, .max_torque = 2000}});
+    start();
+    run(60);
+    const Vec3 out = engine_->pose(2).position - Vec3{1.1, 3, 0};
+    EXPECT_NEAR(std::atan2(out.y, out.x), 1, 0.05);
+}
+
 // With a horizontal cone_twist joint, the arm falls by the swing limit and no further.
 TEST_P(EveryEngine, shoulder_swing_stops_at_its_cone) {
     add_post_and_arm();

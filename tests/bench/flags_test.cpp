@@ -6,6 +6,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
@@ -55,8 +56,8 @@ TEST_F(SpeedFlags, writes_table_json_and_csv) {
     EXPECT_EQ(json["rows"][1]["threads"], 2);
     EXPECT_EQ(json["rows"][1]["clock"], "wall");
     const std::string csv = read("r.csv");
-    EXPECT_TRUE(csv.starts_with("scene,name,engine,threads,steps,failed,bodies,ms_mean,")) << csv;
-    EXPECT_THAT(csv, HasSubstr("\na,bench_pyramid_465,jostle,2,3,,466,"));
+    EXPECT_TRUE(csv.starts_with("scene,name,engine,threads,steps,failed,count,")) << csv;
+    EXPECT_THAT(csv, HasSubstr("\na,bench_pyramid_465,jostle,2,3,,,,,,,466,"));
 }
 
 TEST_F(SpeedFlags, threads_compares_worlds_with_identical_results) {
@@ -78,6 +79,67 @@ TEST_F(SpeedFlags, growth_writes_growth_rows) {
     EXPECT_EQ(json["benchmark"], "speed growth");
     ASSERT_EQ(json["rows"].size(), 2u);
     EXPECT_EQ(json["rows"][1]["bodies"], 40);
+    EXPECT_EQ(json["rows"][1]["scene"], "pile");
+    ASSERT_EQ(json["exponents"].size(), 1u);
+    const double slope = std::log(json["rows"][1]["ms_mean"].get<double>() /
+                                  json["rows"][0]["ms_mean"].get<double>()) /
+                         std::log(2);
+    EXPECT_NEAR(json["exponents"][0]["exponent"], slope, 1e-3 * std::abs(slope));
+    EXPECT_THAT(output(), HasSubstr("exponent of bodies"));
+}
+
+TEST_F(SpeedFlags, growth_of_chains) {
+    ASSERT_EQ(run("--growth 20 --growth-of chain --peers none --json " + file("g.json")), 0)
+        << output();
+    const auto json = nlohmann::json::parse(read("g.json"));
+    EXPECT_EQ(json["rows"][0]["scene"], "chain");
+    EXPECT_TRUE(json["exponents"][0]["exponent"].is_null());  // one size has no slope
+    EXPECT_EQ(run("--growth-of chain"), 2);
+    EXPECT_EQ(run("--growth 20 --growth-of cloth"), 2);
+    EXPECT_THAT(output(), HasSubstr("pile"));
+}
+
+TEST_F(SpeedFlags, parameters_apply_to_the_scenes_that_have_them) {
+    ASSERT_EQ(
+        run("--scene a,wheels,wheels_mesh --wheels 2 --cell 4 --steps 2 --peers none --json " +
+            file("p.json")),
+        0)
+        << output();
+    const auto json = nlohmann::json::parse(read("p.json"));
+    ASSERT_EQ(json["rows"].size(), 3u);
+    EXPECT_TRUE(json["rows"][0]["wheels"].is_null());
+    EXPECT_EQ(json["rows"][1]["wheels"], 2);
+    EXPECT_EQ(json["rows"][1]["bodies"], 181);
+    EXPECT_TRUE(json["rows"][1]["cell_m"].is_null());
+    EXPECT_EQ(json["rows"][2]["cell_m"], 4);
+    EXPECT_THAT(output(), HasSubstr("wheels 2, cell 4"));
+}
+
+TEST_F(SpeedFlags, parameter_errors_name_option_range_and_scenes) {
+    EXPECT_EQ(run("--scene wheels --wheels 3"), 2);
+    EXPECT_THAT(output(), HasSubstr("--wheels: 3 is out of range for wheels; must be 2 to 32, "
+                                    "even; scenes with --wheels: wheels (2 to 32, even), "
+                                    "wheels_mesh (2 to 32, even)"));
+    EXPECT_EQ(run("--scene a,drum --vertices 8"), 2);
+    EXPECT_THAT(output(), HasSubstr("--vertices: no selected scene has this parameter; select one "
+                                    "of hull_heap (8 to 128, even)"));
+    for (const char* hostile :
+         {"--count 0", "--count -1", "--count 2.5", "--count 1e99", "--count nan", "--count inf",
+          "--count 99999999999999999999999", "--count ten", "--count ''", "--cell 0"}) {
+        EXPECT_EQ(run(std::string("--scene mesh ") + hostile), 2) << hostile;
+        EXPECT_THAT(output(), HasSubstr(std::string(hostile, 6)));
+    }
+    EXPECT_EQ(run("--growth 20 --count 5"), 2);
+    EXPECT_EQ(run("--server --scene c --count 5"), 2);
+    EXPECT_EQ(run("--server --scene drum"), 2);
+    EXPECT_THAT(output(), HasSubstr("drum is not in the catalogue of jostle-server"));
+}
+
+TEST_F(SpeedFlags, help_lists_the_defaults_of_scene_options) {
+    ASSERT_EQ(run("--help"), 0);
+    EXPECT_THAT(output(), HasSubstr("[--wheels N: 10; 2 to 32, even]"));
+    EXPECT_THAT(output(), HasSubstr("[--cell METRES: 0.4; 0.2 to 10]"));
+    EXPECT_THAT(output(), HasSubstr("[--drum-speed DEGREES: 90; 0 to 360]"));
 }
 
 TEST_F(SpeedFlags, server_row_counts_one_second_of_ticks_with_two_clients) {

@@ -104,6 +104,19 @@ TEST(Rows, errors_are_null_without_the_accuracy_check) {
     EXPECT_NEAR(row.top_m, 29.5, 0.05);
 }
 
+TEST(Rows, parameters_change_the_scene_and_are_recorded) {
+    ParameterValues eight;
+    eight[static_cast<std::size_t>(Parameter::count)] = 8;
+    const SpeedRow row = measure_row_in_child({.scene = find_speed_scene("hull_heap"),
+                                               .engine = find_engine_kind("jostle"),
+                                               .steps = 2,
+                                               .parameters = eight});
+    ASSERT_FALSE(row.failed) << *row.failed;
+    EXPECT_EQ(row.bodies, 13);
+    EXPECT_EQ(parameter_text(row.parameters), "count 8, vertices 64");
+    EXPECT_TRUE(speed_line(row).ends_with("  count 8, vertices 64")) << speed_line(row);
+}
+
 TEST(Rows, round_trip_through_json) {
     SpeedRow row = row_of("jostle", "f", 2);
     EXPECT_EQ(to_json(speed_row_from(to_json(row))), to_json(row));
@@ -136,6 +149,8 @@ TEST(SpeedTable, heading_and_lines_have_the_same_columns) {
     const SpeedRow row = row_of("jostle", "a", 2);
     EXPECT_EQ(speed_heading().size(), speed_line(row).size());
     EXPECT_EQ(growth_heading().size(), growth_line({.engine = "jostle", .clock = "cpu"}).size());
+    EXPECT_EQ(growth_fit_line({.engine = "jostle", .exponent = 1.0416}),
+              "exponent of bodies             jostle    1    1.042");
 }
 
 }  // namespace

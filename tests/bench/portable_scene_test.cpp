@@ -30,10 +30,11 @@ SceneDescription elbow(const JointKind& kind = BallJoint{}) {
     return scene;
 }
 
-TEST(PortableScene, ball_hinge_and_cone_joints_within_limits_are_portable) {
+TEST(PortableScene, ball_hinge_motor_and_cone_joints_are_portable) {
     for (const JointKind& kind :
          {JointKind{BallJoint{}}, JointKind{HingeJoint{.limit = {true, -1, 1}}},
           JointKind{HingeJoint{}},
+          JointKind{HingeJoint{.motor = {.enabled = true, .speed = 9, .max_torque = 120}}},
           JointKind{ConeTwistJoint{.swing = 0.5, .twist = {true, -1, 1}}}}) {
         const auto status = check_portable(elbow(kind));
         EXPECT_TRUE(status.ok()) << status.error().message;
@@ -67,8 +68,8 @@ TEST(PortableScene, errors_name_what_is_not_portable) {
          "joints[0] 'elbow' has anchors that are apart at the start"},
         {[](auto& s) { s.joints[0].joint.kind = FixedJoint{}; },
          "joints[0] 'elbow' must be a ball, hinge or cone_twist joint"},
-        {[](auto& s) { s.joints[0].joint.kind = HingeJoint{.motor = {.max_torque = 1}}; },
-         "joints[0] 'elbow' is a hinge with more than limits"},
+        {[](auto& s) { s.joints[0].joint.kind = HingeJoint{.spring = {.hertz = 1}}; },
+         "joints[0] 'elbow' is a hinge with more than limits and a motor"},
         {[](auto& s) {
              s.joints[0].joint.kind = HingeJoint{.limit = {true, -1, 1}};
              s.joints[0].joint.frame_b.rotation = {};

@@ -221,5 +221,64 @@ TEST(BenchScenes, bullets_are_aimed_at_the_wall) {
     EXPECT_EQ(i.bodies[1000].body.linear_velocity, (Vec3{200, 0, 0}));
 }
 
+TEST(BenchScenes, vehicles_drive_both_ways_on_motors) {
+    const SceneDescription s = bench_wheels(4);
+    ASSERT_EQ(s.bodies.size(), 301u);
+    EXPECT_TRUE(near(position(s.bodies[1]), {-36, 2.4, -20}, 1e-12));
+    EXPECT_EQ(shape<Box>(s.bodies[1]).half_extents, (Vec3{1.2, 0.25, 0.5}));
+    EXPECT_TRUE(near(position(s.bodies[2]), {-36.425, 2.15, -20.8}, 1e-12));
+    EXPECT_TRUE(near(position(s.bodies[5]), {-35.575, 2.15, -19.2}, 1e-12));
+    EXPECT_EQ(s.bodies[1].shapes[0].density, 300);
+    EXPECT_EQ(s.bodies[2].shapes[0].density, 400);
+    EXPECT_EQ(s.bodies[2].shapes[0].material.friction, 0.9);
+    const auto motor = [&](std::size_t joint) {
+        return std::get<HingeJoint>(s.joints[joint].joint.kind).motor;
+    };
+    EXPECT_EQ(motor(0), (JointMotor{true, 9, 120}));
+    EXPECT_EQ(motor(4), (JointMotor{true, -9, 120}));
+    EXPECT_EQ(bench_wheels_mesh(4, 0.4).bodies[0].shapes[0].material.friction, 0.9);
+}
+
+TEST(BenchScenes, links_of_chains_are_400_mm_apart) {
+    const SceneDescription hanging = bench_hanging_chain(100), level = bench_hinge_chain(100);
+    EXPECT_TRUE(near(position(hanging.bodies.back()), {0, -0.45 - 0.4 * 99, 0}, 1e-12));
+    EXPECT_EQ(hanging.bodies[51].body.linear_velocity, Vec3{});
+    EXPECT_TRUE(
+        near(hanging.bodies[52].body.linear_velocity, {3 * std::sin(0.02 * 51), 0, 0}, 1e-12));
+    EXPECT_TRUE(near(position(level.bodies.back()), {0.25 + 0.4 * 99, 0, 0}, 1e-12));
+    EXPECT_EQ(level.joints.size(), 100u);
+    EXPECT_TRUE(std::holds_alternative<HingeJoint>(level.joints[0].joint.kind));
+}
+
+TEST(BenchScenes, trees_have_branches_of_three_levels) {
+    const SceneDescription s = bench_joint_tree(3);
+    EXPECT_EQ(s.bodies.size(), 3 * 89u);
+    EXPECT_EQ(s.joints.size(), 3 * 88u);
+    EXPECT_EQ(position(s.bodies[178]), (Vec3{28, 0, 0}));  // the third root
+    EXPECT_TRUE(near(position(s.bodies[179]), {28, -0.25, 0}, 1e-12));
+    EXPECT_NEAR(s.bodies[179].body.linear_velocity.x, 2 * std::sin(-0.25), 1e-12);
+}
+
+TEST(BenchScenes, debris_bursts_upwards_at_10_to_40_metres_per_second) {
+    const SceneDescription s = bench_debris(1200);
+    ASSERT_EQ(s.bodies.size(), 1201u);
+    EXPECT_TRUE(near(position(s.bodies[1]), {-2.75, 0.4, -2.75}, 1e-12));
+    EXPECT_TRUE(near(position(s.bodies[145]), {-2.75, 0.92, -2.75}, 1e-12));
+    for (std::size_t k = 1; k < s.bodies.size(); k++) {
+        const Vec3 v = s.bodies[k].body.linear_velocity;
+        ASSERT_GE(length(v), 10);
+        ASSERT_LE(length(v), 40);
+        ASSERT_GT(v.y, 0);
+    }
+}
+
+TEST(BenchScenes, depth_of_poured_bodies_does_not_depend_on_the_count) {
+    for (const int count : {2500, 10000, 40000}) {
+        const SceneDescription s = bench_spheres(count);
+        const double inner = 2 * (position(s.bodies[1]).x - 0.5);
+        EXPECT_NEAR(count / (inner * inner), 41, 1) << count;  // per m^2
+    }
+}
+
 }  // namespace
 }  // namespace jostle::scenes

@@ -316,6 +316,9 @@ def growth(plt, options):
     rows = rows_of(options.files, ("engine", "threads"), ("bodies", "ms_mean", "bytes_per_body"),
                    "jostle-bench speed --growth N,... --csv", succeeded)
     rows.sort(key=lambda row: row["bodies"])
+    scenes = in_order(row.get("scene") or "pile" for row in rows)  # earlier files have no column scene
+    if len(scenes) > 1:
+        raise Failure(f"rows of several scenes: {', '.join(scenes)}; plot the files of one scene")
     styles = styles_of(in_order(map(series_name, rows)))
     figure, panels = subplots(plt, 2, 2, 5, 3.8)
     for axes, column, label in zip(panels, ("ms_mean", "bytes_per_body"), ("mean time of a step (ms)", "memory per body (bytes)")):
@@ -329,7 +332,7 @@ def growth(plt, options):
     panels[1].set_xlim(panels[0].get_xlim())
     panels[1].set_ylim(bottom=0)
     grid(panels[1], "both")
-    return figure, handles_of(styles), "Piles of increasing size"
+    return figure, handles_of(styles), f"{scenes[0].capitalize()}s of increasing size"
 
 
 def integrators(plt, options):

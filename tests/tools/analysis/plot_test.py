@@ -104,7 +104,11 @@ class Plot(unittest.TestCase):
         self.assertNotIn(">ode<", image)
 
     def test_draws_growth_integrators_and_residuals(self):
-        self.expect(self.draw("growth", self.file("g.csv", GROWTH)), ["bodies", "(bytes)", "jostle", "bullet"])
+        self.expect(self.draw("growth", self.file("g.csv", GROWTH)), ["Piles", "bodies", "(bytes)", "jostle", "bullet"])
+        chains = GROWTH.replace("engine,", "scene,engine,").replace("jostle,", "chain,jostle,").replace("bullet,", "chain,bullet,")
+        self.expect(self.draw("growth", self.file("c.csv", chains)), ["Chains", "jostle", "bullet"])
+        mixed = chains.replace("chain,bullet", "pile,bullet")
+        self.expect_failure("rows of several scenes: chain, pile", "growth", mixed)
         self.expect(self.draw("integrators", self.file("i.csv", INTEGRATORS)), ["kepler", "verlet", "RMS position error (m)"])
         self.expect(self.draw("residuals", self.file("r.csv", RESIDUALS)),
                     ["stack after step 120", "conjugate gradients (not converged)", "iteration", "residual relative to b"])

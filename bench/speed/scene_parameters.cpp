@@ -9,12 +9,19 @@ namespace jostle::bench {
 namespace {
 
 constexpr ParameterKind parameter_table[] = {
-    {"--count", "N", "Number of bodies, links, figures, trees or stacks", "count", true},
-    {"--vertices", "N", "Vertices of each hull; 64 or more are prisms", "vertices", true},
-    {"--wheels", "N", "Wheels of each vehicle", "wheels", true},
-    {"--cell", "METRES", "Cell size of the mesh", "cell_m", false},
-    {"--drum-speed", "DEGREES", "Speed of the drum, degrees per second", "drum_speed_deg_per_s",
+    {"--count", "N",
+     "Number of bodies, links, figures, trees or stacks\n[default: that of the scene; see below]",
+     "count", true},
+    {"--vertices", "N",
+     "Vertices of each hull; 64 or more are prisms\n[default: that of the scene; see below]",
+     "vertices", true},
+    {"--wheels", "N", "Wheels of each vehicle\n[default: that of the scene; see below]", "wheels",
+     true},
+    {"--cell", "METRES", "Cell size of the mesh\n[default: that of the scene; see below]", "cell_m",
      false},
+    {"--drum-speed", "DEGREES",
+     "Speed of the drum, degrees per second\n[default: that of the scene; see below]",
+     "drum_speed_deg_per_s", false},
 };
 static_assert(std::size(parameter_table) == parameter_count);
 

@@ -2,8 +2,10 @@
 #include "bench/subcommands.h"
 
 #include <CLI/CLI.hpp>
+#include <charconv>
 #include <cstdio>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -53,7 +55,8 @@ squares of the logarithms): exponent p is 1 if the time per body is constant.
 
 --server measures a whole server: jostle-server hosts each scene, --clients clients of jostle-load
 play in it over loopback, and jostlectl records its ticks from the time when all clients have
-joined. The programs must be in the directory of jostle-bench. --threads sets
+joined. The programs must be in the directory of jostle-bench. A server hosts the scenes of its
+catalogue: a to i, and of moving those up to junkyard in the list above. --threads sets
 tick.physics_threads; all other settings are the defaults of the server. Columns:
   ticks, late, late%         ticks that ran; ticks that never ran because the world was late by more
                              than it may catch up; their share of all due ticks
@@ -276,12 +279,12 @@ int run(const Flags& flags) {
     return flags.growth.empty() ? run_scenes(flags) : run_growth(flags);
 }
 
-// "[--wheels N: 10; 2 to 32, even]"
+// "--wheels N [default: 10; 2 to 32, even]"
 std::string option_text(const ParameterRange& range) {
     const ParameterKind& kind = parameter_kinds()[static_cast<std::size_t>(range.parameter)];
     char standard[32];
     std::snprintf(standard, sizeof standard, "%g", range.standard);
-    return std::string("[") + kind.option + " " + kind.type_name + ": " + standard + "; " +
+    return std::string(kind.option) + " " + kind.type_name + " [default: " + standard + "; " +
            range_text(range) + "]";
 }
 
@@ -300,20 +303,36 @@ std::string scene_and_engine_list() {
     return text;
 }
 
-// The options that set parameters of scenes.
-std::vector<CLI::Option*> add_parameters(CLI::App& command, Flags& flags) {
-    std::vector<CLI::Option*> options;
+// Accepts the whole text only: CLI11 reads empty text as 0.
+double to_number(const char* option, const std::string& text) {
+    double number = 0;
+    const char* end = text.data() + text.size();
+    const auto [rest, error] = std::from_chars(text.data(), end, number);
+    if (error == std::errc{} && rest == end) return number;
+    throw CLI::ConversionError(std::string(option) + ": '" + text + "' is not a number");
+}
+
+// The options that set parameters of scenes. The list of scenes states their defaults and ranges.
+void add_parameters(CLI::App& command, Flags& flags) {
     for (std::size_t k = 0; k < parameter_count; k++) {
         const ParameterKind& kind = parameter_kinds()[k];
-        options.push_back(command.add_option(kind.option, flags.parameters[k], kind.help)
-                              ->type_name(kind.type_name)
-                              ->group("Options of scenes (see the list below)"));
+        std::optional<double>& value = flags.parameters[k];
+        command
+            .add_option_function<std::string>(
+                kind.option,
+                [&value, &kind](const std::string& text) { value = to_number(kind.option, text); },
+                kind.help)
+            ->type_name(kind.type_name)
+            ->group("Options of scenes");
     }
-    return options;
 }
 
 // Throws an error for a flag that does not fit the selected scenes.
 void check_selection(const Flags& flags) {
+    for (std::size_t k = 0; k < parameter_count; k++)
+        if (flags.parameters[k] && (flags.server || !flags.growth.empty()))
+            throw CLI::ValidationError(std::string(parameter_kinds()[k].option) +
+                                       ": not supported with --growth or --server");
     const std::vector<const SpeedScene*> selected = selected_scenes(flags);
     if (const auto status = check_parameters(selected, flags.parameters); !status)
         throw CLI::ValidationError(status.error().message);
@@ -325,11 +344,11 @@ void check_selection(const Flags& flags) {
 }
 
 // Adds the flags that require --server; excludes the flags that do not apply to a server.
-void add_server_flags(CLI::App& command, Flags& flags, const std::vector<CLI::Option*>& others) {
-    CLI::Option* server = command.add_flag("--server", flags.server,
-                                           "Measure a server with clients instead of the engines\n"
-                                           "[default scenes: c and those of moving in its\n"
-                                           "catalogue]");
+void add_server_flags(CLI::App& command, Flags& flags, std::initializer_list<CLI::Option*> others) {
+    CLI::Option* server =
+        command.add_flag("--server", flags.server,
+                         "Measure a server with clients instead of the engines\n"
+                         "[default scenes: c and those of moving in its catalogue]");
     for (CLI::Option* other : others) server->excludes(other);
     command
         .add_option("--clients", flags.clients,
@@ -408,12 +427,8 @@ void add_speed(CLI::App& app, int& status) {
         ->needs(growth);
     command->add_option("--json", flags->json, "Write the rows as JSON")->type_name("FILE");
     command->add_option("--csv", flags->csv, "Write the rows as CSV")->type_name("FILE");
-    std::vector<CLI::Option*> engines_only = {peers, steps, sleep, no_accuracy, growth};
-    for (CLI::Option* parameter : add_parameters(*command, *flags)) {
-        parameter->excludes(growth);
-        engines_only.push_back(parameter);
-    }
-    add_server_flags(*command, *flags, engines_only);
+    add_parameters(*command, *flags);
+    add_server_flags(*command, *flags, {peers, steps, sleep, no_accuracy, growth});
     command->footer("\n" + scene_and_engine_list() + footer);
     command->callback([flags, scene, &status] {
         if (flags->server && scene->count() == 0) flags->scenes = {"c", "moving"};

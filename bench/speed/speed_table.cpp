@@ -80,12 +80,13 @@ std::string speed_line(const SpeedRow& row) {
 }
 
 std::string growth_heading() {
-    return print("%-30s %-7s %3s %8s %5s %10s", "bodies", "engine", "thr", "ms_mean", "clock",
-                 "bytes/body");
+    return print("%-30s %-7s %3s %8s %5s %10s", "scene and bodies", "engine", "thr", "ms_mean",
+                 "clock", "bytes/body");
 }
 
 std::string growth_line(const GrowthRow& row) {
-    const std::string start = identity(std::to_string(row.bodies), row.engine, row.threads);
+    const std::string start =
+        identity(row.scene + " of " + std::to_string(row.bodies), row.engine, row.threads);
     if (row.failed) return start + "  failed: " + *row.failed;
     return start + print(" %8.4g %5s %10.0f", row.ms_mean, row.clock.c_str(), row.bytes_per_body);
 }

@@ -129,7 +129,10 @@ TEST_F(SpeedFlags, parameter_errors_name_option_range_and_scenes) {
         EXPECT_EQ(run(std::string("--scene mesh ") + hostile), 2) << hostile;
         EXPECT_THAT(output(), HasSubstr(std::string(hostile, 6)));
     }
+    EXPECT_EQ(run("--scene drum --drum-speed ''"), 2);
+    EXPECT_THAT(output(), HasSubstr("--drum-speed: '' is not a number"));
     EXPECT_EQ(run("--growth 20 --count 5"), 2);
+    EXPECT_THAT(output(), HasSubstr("--count: not supported with --growth or --server"));
     EXPECT_EQ(run("--server --scene c --count 5"), 2);
     EXPECT_EQ(run("--server --scene drum"), 2);
     EXPECT_THAT(output(), HasSubstr("drum is not in the catalogue of jostle-server"));
@@ -137,9 +140,9 @@ TEST_F(SpeedFlags, parameter_errors_name_option_range_and_scenes) {
 
 TEST_F(SpeedFlags, help_lists_the_defaults_of_scene_options) {
     ASSERT_EQ(run("--help"), 0);
-    EXPECT_THAT(output(), HasSubstr("[--wheels N: 10; 2 to 32, even]"));
-    EXPECT_THAT(output(), HasSubstr("[--cell METRES: 0.4; 0.2 to 10]"));
-    EXPECT_THAT(output(), HasSubstr("[--drum-speed DEGREES: 90; 0 to 360]"));
+    EXPECT_THAT(output(), HasSubstr("--wheels N [default: 10; 2 to 32, even]"));
+    EXPECT_THAT(output(), HasSubstr("--cell METRES [default: 0.4; 0.2 to 10]"));
+    EXPECT_THAT(output(), HasSubstr("--drum-speed DEGREES [default: 90; 0 to 360]"));
 }
 
 TEST_F(SpeedFlags, server_row_counts_one_second_of_ticks_with_two_clients) {

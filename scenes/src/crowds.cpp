@@ -25,6 +25,7 @@ void add_goal(SceneModule& crowd, int number, Vec3 center, Vec3 half, int end, i
                                           {"goal_center_x", center.x},
                                           {"goal_center_z", center.z},
                                           {"goal_half_x", half.x},
+                                          {"goal_half_y", 1},
                                           {"goal_half_z", half.z},
                                           {"goal_end", end},
                                           {"goal_next", next}},

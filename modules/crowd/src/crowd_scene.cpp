@@ -143,12 +143,16 @@ Status configure_obstacle(Crowd& crowd, const World& world, const ModuleSettings
 Status configure_goal(Crowd& crowd, const CrowdStore& store, const ModuleSettings& given) {
     auto number = static_cast<std::uint32_t>(store.goals.size());
     PrefixReader in(given, "goal_");
-    in.whole("number", number, 0, static_cast<double>(store.goals.size()));
+    in.whole("number", number, 0, Crowd::goals_max - 1);
+    if (number > store.goals.size())
+        return Error{ErrorCode::invalid_argument,
+                     "goal_number must be at most " + std::to_string(store.goals.size()) +
+                         ", the number of goals so far; " + std::to_string(number) + " is given"};
     const bool exists = number < store.goals.size();
     GoalDef goal = exists ? store.goals[number] : GoalDef{};
     Vec3 center, half{1, 1, 1};
     in.vector("center", center, -coordinate_max, coordinate_max);
-    in.vector("half", half, 0.01, 1e4);
+    in.vector("half", half, 0, 1e4);  // add_goal() checks the components in the plane
     in.choice("end", goal.end, GoalEnd::next);
     in.whole("next", goal.next, 0, Crowd::goals_max - 1);
     if (Status s = in.finish(); !s.ok()) return s;
@@ -283,9 +287,8 @@ Status add_group(Crowd& crowd, World& world, const CrowdStore& store, const Grou
     while (total(spacing) < group.count && spacing > 1e-3) spacing *= 0.97;
     const double diameter = 2 * group.agent.radius;
     if (spacing < diameter && group.count > 1)
-        return Error{ErrorCode::invalid_argument,
-                     "group_count is " + std::to_string(group.count) +
-                         "; the region has no room for that number of agents"};
+        return Error{ErrorCode::invalid_argument, "the region has no room for group_count = " +
+                                                      std::to_string(group.count) + " agents"};
     const std::uint64_t columns = places(spacing, half.x), rows = places(spacing, half.y);
     const double jitter = maximum(minimum(0.25 * spacing, 0.49 * (spacing - diameter)), 0);
     for (std::uint32_t k = 0; k < group.count; k++) {

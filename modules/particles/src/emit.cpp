@@ -99,8 +99,10 @@ EmittedParticle particle(const Emitter& e, std::uint32_t stream, std::uint64_t n
     EmittedParticle made{.time = time, .id = static_cast<std::uint32_t>(2 * number + stream)};
     made.position = place_of(e, axis, random, planar);
     if (planar) made.position.z = 0;
-    made.velocity = direction_of(e, axis, random, planar) *
-                    (e.speed * random.in(1 - e.speed_spread, 1 + e.speed_spread));
+    // One statement each: the order of random numbers must not depend on the compiler.
+    const Vec3 direction = direction_of(e, axis, random, planar);
+    const double speed = e.speed * random.in(1 - e.speed_spread, 1 + e.speed_spread);
+    made.velocity = direction * speed;
     made.lifetime =
         maximum(e.lifetime * random.in(1 - e.lifetime_spread, 1 + e.lifetime_spread), 1e-3);
     return made;

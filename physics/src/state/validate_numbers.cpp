@@ -38,7 +38,7 @@ Fault world_numbers(const WorldDef& def) {
 // the mass) is positive semi-definite.
 bool is_inertia(const Mat3& i) {
     const double trace = i.x.x + i.y.y + i.z.z, small = rounding * trace;
-    if (!(trace >= 0)) return false;
+    if (!(trace >= 0 && i.x.x >= 0 && i.y.y >= 0 && i.z.z >= 0)) return false;
     if (absolute(i.x.y - i.y.x) > small || absolute(i.x.z - i.z.x) > small ||
         absolute(i.y.z - i.z.y) > small)
         return false;

@@ -179,18 +179,20 @@ TEST(MassRatio, stacks_of_boxes_and_cylinders_stand) {
 
 // Islands that are pushed out of overlaps of 0.3 m leave the direct solver. Sweeps that kept its
 // impulses threw light bodies by hundreds of metres. How far a body goes is chaotic: of 300 stacks
-// the mean is 6 m, one in a hundred is thrown by 60 to 90 m, and the worst by 170 m.
+// the mean is 5 to 6 m, one in a hundred is thrown by more than 60 m, and the worst by 120 to 170
+// m. More than four of a hundred happen by chance in one of 270 cases.
 TEST(MassRatio, overlapping_stacks_are_not_thrown_far) {
     double sum = 0;
     int far = 0;
-    for (std::uint64_t seed = 0; seed < 40; seed++) {
+    constexpr int stacks = 100;
+    for (std::uint64_t seed = 0; seed < stacks; seed++) {
         const double moved = moved_in_mixed_stack(7 * seed + 3, 30, true);
         EXPECT_LT(moved, 200) << "seed " << 7 * seed + 3;
         sum += moved;
         if (moved > 60) far++;
     }
-    EXPECT_LT(sum / 40, 10);
-    EXPECT_LE(far, 1);
+    EXPECT_LT(sum / stacks, 10);
+    EXPECT_LE(far, 4);
 }
 
 }  // namespace

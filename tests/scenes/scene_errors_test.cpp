@@ -308,10 +308,11 @@ TEST(SceneErrors, rejects_unknown_and_duplicate_modules) {
                    "line 6: modules[0].tag: is \"submarine\"; it must be one of "
                    "boat, character, crowd, destruction, fields, hovercraft, katamari, particles, "
                    "ragdoll, turntable, vehicle");
-    expect_refused(with_module("\"settings\": {}"),
-                   "modules[0].tag: is \"\"; it must be one of boat, "
-                   "character, crowd, destruction, fields, hovercraft, katamari, particles, ragdoll, "
-                   "turntable, vehicle");
+    expect_refused(
+        with_module("\"settings\": {}"),
+        "modules[0].tag: is \"\"; it must be one of boat, "
+        "character, crowd, destruction, fields, hovercraft, katamari, particles, ragdoll, "
+        "turntable, vehicle");
     expect_refused(
         with_module("\"tag\": \"turntable\"},\n{\"tag\": \"turntable\""),
         "line 6: modules[1].tag: is \"turntable\", a duplicate; a world has at most one module per "

@@ -54,7 +54,7 @@ COVERED_BY = {
     "constraints/direct/joint_net.h":
         (["physics/constraints/direct/block_ldl_test.cpp"], "the work of a clique against the pattern of the same joints"),
     "constraints/direct/direct_body.h":
-        (["physics/constraints/direct/principal_axes_test.cpp", "physics/constraints/direct/direct_group_test.cpp"],
+        (["physics/math/principal_axes_test.cpp", "physics/constraints/direct/direct_group_test.cpp"],
          "its tensor in any axes; its momenta, kept to rounding"),
     "constraints/direct/direct_bounds.cpp":
         (["physics/constraints/direct/free_axis_test.cpp"], "limits, motors, friction and springs against closed forms"),

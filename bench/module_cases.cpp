@@ -340,7 +340,7 @@ private:
     Particles& particles_;
 };
 
-// What the agents of a crowd move.
+// The bodies that the agents of a crowd move.
 enum class CrowdBodies { none, kinematic, dynamic };
 
 // Agents on a circle that swap places with the opposite one, in the proportions of the example

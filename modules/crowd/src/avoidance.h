@@ -29,10 +29,10 @@ struct RelativeNeighbors {
 // apart for `horizon` s; agents that overlap separate within `dt`.
 void avoid_agents(const RelativeNeighbors& neighbors, float horizon, float dt, HalfPlane* planes);
 
-// Permitted velocities beside the nearest point of a wall. (x, y) leads to that point, `distance`
-// is its length (> 0): the agent approaches the point by at most its gap within `horizon` s, or
-// leaves it within `dt` if it overlaps. Standing still is permitted, so walls do not contradict
-// each other unless the agent overlaps them.
+// Returns the permitted velocities next to a wall: the agent approaches its nearest point by at
+// most the gap within `horizon` s, or leaves it within `dt` if it overlaps. (x, y): vector from the
+// agent to that point, m; `distance`: its length, > 0. Standing still is permitted, so walls do not
+// contradict each other unless the agent overlaps them.
 HalfPlane avoid_wall(float x, float y, float distance, float radius, float horizon, float dt);
 
 }  // namespace jostle::modules::crowd_detail

@@ -17,7 +17,7 @@ namespace jostle::modules::crowd_detail {
 // Range of coordinates, m.
 inline constexpr double coordinate_max = 1e6;
 
-// What an agent moves.
+// The kind of body that an agent moves.
 enum class Carrier : std::uint8_t { none, kinematic, dynamic, character };
 
 // Description of an agent; its motion is in the arrays of AgentArrays.

@@ -11,7 +11,7 @@ namespace jostle::modules::crowd_detail {
 // m: walkers that differ more in height do not meet.
 inline constexpr double story_height = 1.8;
 
-// What an agent wants, in plane coordinates.
+// The velocity that an agent would choose if it were alone, in plane coordinates.
 struct Wish {
     physics::Vec3 velocity;  // m/s
     bool arrived = false;

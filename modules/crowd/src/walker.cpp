@@ -16,7 +16,7 @@ namespace {
 constexpr double reaction_time = 0.5;       // s, in which a walker adapts to the density
 constexpr std::uint64_t noise_period = 32;  // steps with the same noise
 
-// Part of a correction that an agent that stands takes beside one that walks: it steps aside.
+// A standing agent steps aside for a walking one: it takes this part of their correction.
 constexpr float standing_share = 0.8f;
 
 // -1 to 1, the same for noise_period steps.

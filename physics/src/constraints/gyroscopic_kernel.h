@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Euler's equations of gyroscopic bodies in a sub-step, eight bodies at a time. Spins in axes that
-// do not rotate lose nothing to the rotation, so a body's spin is first transformed to its axes at
-// the start of the step ("own"), in which its inertia is constant.
+// Euler's equations of gyroscopic bodies in a sub-step, eight bodies at a time. A body's spin is
+// first transformed to its "own" axes: those that rotate with it and were the world's at the start
+// of the step. Its inertia is constant in them.
 #pragma once
 
 #include "physics/src/constraint_graph/gyroscopic_wide.h"
@@ -63,13 +63,14 @@ JOSTLE_INLINE Wide3 rotation_vector_of(WideQuat q, Wide3 expected) {
     return axis * (angle + rounds * splat(full_turn));
 }
 
-struct GyroscopicBodies {
+// The bodies of a block.
+struct GyroscopicLanes {
     const float* rows[8];
     Wide state[8];  // SolverBody's row 0
     WideMask by_substeps;
     WideQuat turned;
 
-    JOSTLE_INLINE GyroscopicBodies(const GyroscopicWide& block, const SolverBody* bodies) {
+    JOSTLE_INLINE GyroscopicLanes(const GyroscopicWide& block, const SolverBody* bodies) {
         for (int k = 0; k < 8; k++) rows[k] = bodies[block.hot[k]].v;
         load_rows(rows, 0, state);
         by_substeps = load(block.by_substeps) > splat(0);
@@ -114,7 +115,7 @@ JOSTLE_INLINE Wide3 change_of(const GyroscopicWide& block, Wide3 own, float h) {
 inline void spin_freely_range(const GyroscopicRange& range, SolverBody* bodies, float h) {
     for (int k = range.begin; k < range.end; k++) {
         const GyroscopicWide& block = range.blocks[k];
-        GyroscopicBodies now(block, bodies);
+        GyroscopicLanes now(block, bodies);
         now.add_spin(block, change_of(block, now.spin(), h));
     }
 }
@@ -123,7 +124,7 @@ inline void spin_freely_range(const GyroscopicRange& range, SolverBody* bodies, 
 inline void begin_gyroscopic_range(const GyroscopicRange& range, SolverBody* bodies, float h) {
     for (int k = range.begin; k < range.end; k++) {
         GyroscopicWide& block = range.blocks[k];
-        GyroscopicBodies now(block, bodies);
+        GyroscopicLanes now(block, bodies);
         const Wide3 half = change_of(block, now.to_own(now.spin()), h) * splat(0.5f);
         store3(block.half_change, half);
         now.add_spin(block, now.from_own(half));
@@ -134,7 +135,7 @@ inline void begin_gyroscopic_range(const GyroscopicRange& range, SolverBody* bod
 inline void end_gyroscopic_range(const GyroscopicRange& range, SolverBody* bodies, float h) {
     for (int k = range.begin; k < range.end; k++) {
         GyroscopicWide& block = range.blocks[k];
-        GyroscopicBodies now(block, bodies);
+        GyroscopicLanes now(block, bodies);
         const Wide3 mean = now.spin(), own = now.to_own(mean);
         now.turned = now.turned * from_rotation_vector(own * splat(h));
         store(block.turned[0], now.turned.x);

@@ -11,7 +11,10 @@
 #include "physics/src/collision/narrowphase/gjk.h"
 #include "physics/src/collision/narrowphase/sat.h"
 #include "physics/src/collision/narrowphase/seams.h"
+#include "physics/src/collision/narrowphase/shape_motion.h"
+#include "physics/src/collision/narrowphase/surface_patches.h"
 #include "physics/src/collision/narrowphase/triangle.h"
+#include "physics/src/collision/narrowphase/triangle_edges.h"
 #include "physics/src/collision/narrowphase/triangle_lanes.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/geometry/hull_lanes.h"
@@ -20,15 +23,6 @@
 
 namespace jostle::physics {
 namespace {
-
-// Contact points of one triangle.
-struct Patch {
-    Vec3 normal;  // from the triangle to the shape
-    double deepest = 1e300;
-    std::uint32_t triangle = 0;
-    int first = 0, count = 0;  // in SurfacePair::points_
-    Vec3 corner[3];            // relative to the shape's position
-};
 
 // A triangle seen from the side of the shape.
 struct TriangleSide {
@@ -55,116 +49,6 @@ struct HeldTriangle {
     bool covered = false;
 };
 
-// An edge that turns by less than this is flat. Twice the tangent of half the angle: 1e-4 rad.
-constexpr double flat_ridge = 0.5e-4;
-// An edge without a neighbour: infinity would produce NaN.
-constexpr double border_ridge = 1e300;
-
-// The ridge that the shape meets at an edge: see TriangleMesh::folds. `side`: 1 for a shape in
-// front of the triangle, -1 for one behind it.
-double ridge_of(const SurfaceFolds& folds, int k, double side) {
-    ASSERT(side == 1 || side == -1);
-    return folds.at[k] == no_neighbour_fold ? border_ridge : side * double{folds.at[k]};
-}
-
-// Returns whether an edge allows a contact normal n. `outward` lies in the triangle's plane; `face`
-// is its normal on the shape's side.
-bool edge_allows(double ridge, Vec3 face, Vec3 outward, Vec3 n, double slack) {
-    const double up = dot(n, face), out = dot(n, outward);
-    if (out < -slack) return false;  // leans inward: the face itself pushes
-    if (ridge == border_ridge) return up > -slack;
-    if (ridge < flat_ridge) return out < slack;  // flat or concave
-    // Convex fold: any direction between the normals of the two faces is allowed.
-    const double square = ridge * ridge, other_up = (1 - square) / (1 + square),
-                 other_out = 2 * ridge / (1 + square);
-    return out * other_up - up * other_out < slack;  // sine of the angle beyond the other normal
-}
-
-// A normal closer to a face normal than this acts like it.
-constexpr double facing = 1 - 1e-9;
-
-// Calls visit(edge, outward) for the edges of a triangle at the point `at`. `outward` lies in the
-// triangle's plane. Returns false as soon as visit() does.
-template <class Visit>
-bool for_each_edge_at(const SurfaceTriangle& t, Vec3 front, Vec3 at, Visit&& visit) {
-    for (int k = 0; k < 3; k++) {
-        const Vec3 from = t.corner[k], along = t.corner[(k + 1) % 3] - from;
-        const Vec3 outward = normalized(cross(along, front));
-        const double height = length(cross(along, t.corner[(k + 2) % 3] - from)) / length(along);
-        if (dot(at - from, outward) >= -1e-4 * height && !visit(k, outward)) return false;
-    }
-    return true;
-}
-
-// Returns whether the point `at` of a triangle is on an edge without a neighbour.
-bool is_on_border(const SurfaceTriangle& t, const SurfaceFolds& folds, Vec3 at) {
-    const auto is_border = [&](int k) { return folds.at[k] == no_neighbour_fold; };
-    if (!is_border(0) && !is_border(1) && !is_border(2)) return false;
-    return !for_each_edge_at(t, normal_of(t), at, [&](int k, Vec3) { return !is_border(k); });
-}
-
-// Returns whether the contact normal n is allowed at the point `at` of the triangle.
-bool may_act(const SurfaceTriangle& t, const SurfaceFolds& folds, Vec3 face, double side, Vec3 at,
-             Vec3 n, double slack) {
-    if (dot(n, face) > facing) return true;
-    ASSERT(is_unit(face, 1e-5) && is_unit(n, 1e-5));
-    bool on_edge = false;
-    const bool allowed = for_each_edge_at(t, face * side, at, [&](int k, Vec3 outward) {
-        on_edge = true;
-        return edge_allows(ridge_of(folds, k, side), face, outward, n, slack);
-    });
-    return on_edge && allowed;
-}
-
-// The motion of a shape in the surface's frame, with the shape's position as the origin. Bounds the
-// region that the shape may approach.
-class ShapeMotion {
-public:
-    ShapeMotion(const SurfaceMotion& motion, const TransformedShape& surface,
-                const TransformedShape& convex, const Convex& shape)
-        : ends_{transposed_times(surface.axes, motion.to_start),
-                transposed_times(surface.axes, motion.to_end)},
-          turn_(transposed_times(surface.axes, motion.turn)),
-          center_(transposed_times(surface.axes, motion.center - convex.position)),
-          near_(motion.near) {
-        furthest_ = shape.core == Core::hull
-                        ? length(middle_of(shape) - center_) + shape.hull->lanes->outer_radius
-                        : length(center_) + size_of(shape);
-        ASSERT(!(furthest_ < 0) && !(near_ < 0));
-    }
-
-    // The region that the shape may reach, given its current box.
-    Aabb reach(const Aabb& now) const {
-        const Aabb ball{center_ - Vec3{furthest_, furthest_, furthest_},
-                        center_ + Vec3{furthest_, furthest_, furthest_}};
-        const Aabb turned = grow(now, length(turn_) * furthest_);
-        const Vec3 low = max(turned.low, ball.low), high = min(turned.high, ball.high);
-        const Vec3 back = min(Vec3{}, min(ends_[0], ends_[1])),
-                   on = max(Vec3{}, max(ends_[0], ends_[1]));
-        return grow({low + back, high + on}, near_);
-    }
-    // Returns whether the shape stays out of reach of a feature that is `distance` away against the
-    // unit vector n.
-    bool exceeds_reach(double distance, Vec3 n, const Convex& shape) const {
-        const double left =
-            distance + minimum(0, minimum(dot(ends_[0], n), dot(ends_[1], n))) - near_;
-        if (left <= 0) return false;
-        // Rotation brings no point nearer than the points that are furthest from the centre.
-        const double extent = dot(support(shape, -n) - center_, -n) + shape.radius;
-        return left > minimum(length(cross(turn_, n)) * furthest_, furthest_ - extent);
-    }
-
-    void limit(TriangleFilter& filter, const Convex& shape) const {
-        filter.limit({{ends_[0], ends_[1]}, turn_, center_, near_, furthest_}, shape);
-    }
-
-private:
-    Vec3 ends_[2], turn_, center_;
-    double near_,
-        furthest_;  // m; furthest_: largest distance of the shape's points from
-                    // the centre
-};
-
 class SurfacePair {
 public:
     SurfacePair(const TransformedShape& surface, const TransformedShape& convex, double margin,
@@ -186,6 +70,7 @@ public:
         clip_.emplace(shape_, margin);
         ASSERT(!(margin_ < 0) && !(shape_.radius < 0));
         size_ = size_of(shape_);
+        patches_ = SurfacePatches(size_);
         if (const auto* mesh = std::get_if<Mesh>(surface.geometry))
             crack_ = minimum(mesh->data->weld_gap, tuning::even_ground * size_);
         edge_slack_ += crack_ / (shape_.radius > 0 ? shape_.radius : size_);
@@ -218,9 +103,7 @@ public:
     // Returns whether a neighbour covers a contact.
     bool collide(std::vector<Manifold>& out) {
         TriangleFilter filter(shape_, shape_.radius + margin_);
-        if (motion_) motion_->limit(filter, shape_);
-        patches_.reserve(8);
-        points_.reserve(32);
+        if (motion_) filter.limit(motion_->limit(), shape_);
         const auto add_near = [&](const SurfaceTriangle& t) { add(t); };
         for_each_triangle(*surface_.geometry, box_, [&](const SurfaceTriangle& t) {
             filter.put(t, origin_);
@@ -228,31 +111,7 @@ public:
         });
         filter.flush(add_near);
         add_uncovered_triangles();
-        // Deepest first: the normal of a piece is the normal of its deepest triangle.
-        std::sort(patches_.begin(), patches_.end(), [](const Patch& x, const Patch& y) {
-            return x.deepest < y.deepest || (x.deepest == y.deepest && x.triangle < y.triangle);
-        });
-        std::vector<bool> used(patches_.size(), false);
-        for (std::size_t i = 0; i < patches_.size(); i++) {
-            if (used[i]) continue;
-            const Vec3 ground = on_ground(points_of(patches_[i])[0], patches_[i].normal);
-            ContactPoints sum;
-            ASSERT(patches_[i].count <= ContactPoints::capacity);
-            for (const GapPoint& p : points_of(patches_[i])) {
-                sum.point[sum.count] = p.point;
-                sum.gap[sum.count++] = p.gap;
-            }
-            for (std::size_t j = i + 1; j < patches_.size(); j++) {
-                if (used[j] || !continues(patches_[i].normal, ground, patches_[j])) continue;
-                used[j] = true;
-                for (const GapPoint& p : points_of(patches_[j])) merge(sum, p.point, p.gap);
-            }
-            Manifold m = manifold_of(sum, patches_[i].normal, size_);
-            m.normal = surface_.axes * m.normal;
-            for (int k = 0; k < m.count; k++)
-                m.point[k] = surface_.position + surface_.axes * (m.point[k] + origin_);
-            out.push_back(m);
-        }
+        patches_.write(surface_, origin_, out);
         return covered_;
     }
 
@@ -268,53 +127,6 @@ private:
         if (motion <= 0) return false;
         const Vec3 n = to * (1 / motion);
         return dot(support(shape_, -n) - middle_, n) + motion > shape_.radius;
-    }
-
-    std::span<const GapPoint> points_of(const Patch& patch) const {
-        return std::span(points_).subspan(static_cast<std::size_t>(patch.first),
-                                          static_cast<std::size_t>(patch.count));
-    }
-    // The position of a contact point on its triangle.
-    static Vec3 on_ground(const GapPoint& p, Vec3 normal) {
-        return p.point - normal * (0.5 * p.gap);
-    }
-    // Only coplanar patches are merged into one manifold. On curved ground four points cannot
-    // represent the rest, and the best four change in every step.
-    bool continues(Vec3 normal, Vec3 ground, const Patch& next) const {
-        if (dot(normal, next.normal) < tuning::same_piece) return false;
-        for (const GapPoint& p : points_of(next))
-            if (absolute(dot(on_ground(p, next.normal) - ground, normal)) >
-                tuning::even_ground * size_)
-                return false;
-        return true;
-    }
-
-    // Points that two triangles share count once.
-    void merge(ContactPoints& sum, Vec3 point, double gap) const {
-        const double near = 1e-4 * size_;
-        for (int k = 0; k < sum.count; k++)
-            if (length_squared(sum.point[k] - point) < near * near) {
-                sum.gap[k] = minimum(sum.gap[k], gap);
-                return;
-            }
-        if (sum.count == ContactPoints::capacity) {
-            ASSERT(size_ > 0);
-            // The array is full: drop the redundant points.
-            sum.count = reduce(sum);
-        }
-        sum.point[sum.count] = point;
-        sum.gap[sum.count] = gap;
-        sum.count++;
-    }
-    int reduce(ContactPoints& sum) const {
-        Vec3 normal = cross(sum.point[1] - sum.point[0], sum.point[2] - sum.point[0]);
-        const Manifold best = manifold_of(sum, normalized(normal), size_);
-        ASSERT(best.count <= 4);
-        for (int k = 0; k < best.count; k++) {
-            sum.point[k] = best.point[k];
-            sum.gap[k] = best.gap[k];
-        }
-        return best.count;
     }
 
     void add(const SurfaceTriangle& t) {
@@ -432,23 +244,18 @@ private:
     // Adds the points of the shape over the face. If the shape's nearest point is among them, it is
     // `low`, at the distance `gap` of its core.
     void add_face_points(const TriangleSide& t, bool over_low, Vec3 low = {}, double gap = 0) {
-        Patch patch{.normal = t.face, .triangle = t.triangle.index};
-        patch.first = static_cast<int>(points_.size());
-        double deepest = 1e300;
-        for (const GapPoint& p : clip_->over(t.corner, t.face, t.outward)) {
-            deepest = minimum(deepest, p.gap);
-            points_.push_back(p);
-        }
+        patches_.begin();
+        patches_.put(clip_->over(t.corner, t.face, t.outward));
         if (over_low) {
             // Round features may lack the nearest point.
             const double lost = 5e-5 * minimum(size_, length(t.corner[1] - t.corner[0]));
             const double nearest = gap - shape_.radius;
-            if (deepest > nearest + lost * (1 + 1e-6) && nearest <= margin_)
-                points_.push_back({low - t.face * (0.5 * (gap + shape_.radius)), nearest});
+            if (patches_.smallest_gap() > nearest + lost * (1 + 1e-6) && nearest <= margin_)
+                patches_.put(GapPoint{low - t.face * (0.5 * (gap + shape_.radius)), nearest});
         } else {
-            drop_outside(patch.first, t.face);
+            drop_outside(t.face);
         }
-        add_patch(patch, t.corner);
+        patches_.close(t.face, t.triangle.index, t.corner);
     }
 
     void add_by_witness(const SurfaceTriangle& t, const Vec3 corner[3], const TriangleSide& seen,
@@ -460,8 +267,8 @@ private:
         if (w.distance > reach || exceeds_reach(w.distance, w.normal)) return;
         const double side = is_behind(t, corner, w) ? -1 : 1;
         const Vec3 face = seen.face * (seen.side * side);
-        Patch patch{.normal = w.normal, .triangle = t.index};
-        patch.first = static_cast<int>(points_.size());
+        Vec3 normal = w.normal;
+        patches_.begin();
         const bool allowed =
             may_act(t, seen.folds, face, side, w.on_a + origin_, w.normal, edge_slack_);
         const std::optional<Vec3> cover =
@@ -469,23 +276,21 @@ private:
         if (cover) {
             covered_ = true;
             if (dot(*cover, face) < tuning::same_piece) return;
-            patch.normal = face;
-            put(clip_->over(corner, face, seen.outward));
+            normal = face;
+            patches_.put(clip_->over(corner, face, seen.outward));
         } else if (allowed) {
-            put(contact_points(triangle, shape_, w, margin_));
+            patches_.put(contact_points(triangle, shape_, w, margin_));
         } else {
-            patch.normal = face;
-            put(clip_->over(corner, face, seen.outward));
-            drop_outside(patch.first, face);
-            double nearest = 1e300;
-            for (std::size_t k = static_cast<std::size_t>(patch.first); k < points_.size(); k++)
-                nearest = minimum(nearest, points_[k].gap);
+            normal = face;
+            patches_.put(clip_->over(corner, face, seen.outward));
+            drop_outside(face);
+            const double nearest = patches_.smallest_gap();
             if (nearest > gap_of(w) + slack() && w.distance > 0) {
                 // Cores are apart: the point acts if no other triangle is nearer, as on a peak.
                 if (is_nearest(t, nearest_on_triangle(corner, w.on_a), w.normal)) {
-                    patch.normal = w.normal;
-                    points_.resize(static_cast<std::size_t>(patch.first));
-                    put(contact_points(triangle, shape_, w, margin_));
+                    normal = w.normal;
+                    patches_.begin();
+                    patches_.put(contact_points(triangle, shape_, w, margin_));
                 }
             } else if (nearest > gap_of(w) + slack()) {
                 held_.push_back({{corner[0], corner[1], corner[2]},
@@ -495,13 +300,7 @@ private:
                                  dot(w.normal, face) <= 0});
             }
         }
-        add_patch(patch, corner);
-    }
-    void put(std::span<const GapPoint> points) {
-        points_.insert(points_.end(), points.begin(), points.end());
-    }
-    void put(const ContactPoints& points) {
-        for (int k = 0; k < points.count; k++) points_.push_back({points.point[k], points.gap[k]});
+        patches_.close(normal, t.index, corner);
     }
 
     // Closest points first: most triangles are apart. The axes matter only for the overlapping
@@ -540,7 +339,7 @@ private:
     std::optional<Vec3> covering_normal(const SurfaceTriangle& t, const SurfaceFolds& folds,
                                         const Convex& triangle, Vec3 at, Vec3 n, double gap,
                                         Vec3 face) {
-        if (dot(n, face) > facing) return std::nullopt;
+        if (dot(n, face) > facing_normal) return std::nullopt;
         if (seams_)
             if (const auto cover = seams_->covering_normal(triangle, n, gap)) return cover;
         if (!is_on_border(t, folds, at + origin_)) return std::nullopt;
@@ -566,7 +365,7 @@ private:
         Vec3 n = to * (1 / distance);
         if (exceeds_reach(distance, n)) return true;
         const Vec3 front = normal_of(t), face = dot(n, front) < 0 ? -front : front;
-        if (dot(n, face) > facing) {
+        if (dot(n, face) > facing_normal) {
             n = face;
         } else {
             if (!is_nearest(t, at, n)) return true;
@@ -577,10 +376,9 @@ private:
                 return true;
             }
         }
-        Patch patch{.normal = n, .triangle = t.index};
-        patch.first = static_cast<int>(points_.size());
-        points_.push_back({(at + middle_ - n * shape_.radius) * 0.5, distance - shape_.radius});
-        add_patch(patch, corner);
+        patches_.begin();
+        patches_.put(GapPoint{(at + middle_ - n * shape_.radius) * 0.5, distance - shape_.radius});
+        patches_.close(n, t.index, corner);
         return true;
     }
 
@@ -644,29 +442,15 @@ private:
 
     // Drops points of a shape that is below the face without reaching up to it, for example a plank
     // under the edge of a table. Such a shape does not penetrate the face.
-    void drop_outside(int first, Vec3 face) {
-        auto retained = static_cast<std::size_t>(first);
-        for (std::size_t k = retained; k < points_.size(); k++) {
-            const GapPoint p = points_[k];
+    void drop_outside(Vec3 face) {
+        patches_.drop_if([&](const GapPoint& p) {
             // Contact points are midway between the surfaces. The point on the face is half the gap
             // away.
             const Convex above{
                 .core = Core::point, .position = p.point - face * (0.5 * p.gap), .size = {}};
-            if (p.gap < -0.02 * size_ &&
-                gjk(above, shape_, face).distance > shape_.radius + slack())
-                continue;
-            points_[retained++] = p;
-        }
-        points_.resize(retained);
-    }
-
-    // Adds a patch of the points that were appended after its first one, if there are any.
-    void add_patch(Patch& patch, const Vec3 corner[3]) {
-        patch.count = static_cast<int>(points_.size()) - patch.first;
-        if (patch.count == 0) return;
-        std::copy(corner, corner + 3, patch.corner);
-        for (const GapPoint& p : points_of(patch)) patch.deepest = minimum(patch.deepest, p.gap);
-        patches_.push_back(patch);
+            return p.gap < -0.02 * size_ &&
+                   gjk(above, shape_, face).distance > shape_.radius + slack();
+        });
     }
 
     // Marks held triangles that a neighbour covers: the neighbour contains their nearest point and
@@ -689,11 +473,6 @@ private:
         return true;
     }
 
-    bool any_overlaps() const {
-        return std::any_of(patches_.begin(), patches_.end(),
-                           [](const Patch& p) { return p.deepest < 0; });
-    }
-
     // Returns whether a triangle with a corner at or near a point is nearer than that point to a
     // separated shape in the direction n.
     static bool rises(const Vec3 corner[3], Vec3 at, Vec3 n, double slack) {
@@ -714,14 +493,8 @@ private:
             // Its corner opposite the edge decides. The other two may be up to the welding distance
             // away from those of this triangle.
             const SurfaceTriangle next = triangle_of(*surface_.geometry, other);
-            const Vec3 from = t.corner[k], along = t.corner[(k + 1) % 3] - from;
-            Vec3 far;
-            double furthest = -1;
-            for (const Vec3 c : next.corner) {
-                const double off = length_squared(cross(c - from, along));
-                if (off > furthest) furthest = off, far = c;
-            }
-            const Vec3 to = far - origin_ - at;
+            const Vec3 to =
+                opposite_corner(next, t.corner[k], t.corner[(k + 1) % 3]) - origin_ - at;
             return dot(n, to) <= edge_slack_ * length(to);
         });
         return below && (edges < 2 || is_nearest_of_all(at, n));
@@ -744,23 +517,21 @@ private:
     // like any other edge. The nearest held triangle is added first; the triangles that it covers
     // are skipped.
     void add_uncovered_triangles() {
-        for (std::size_t k = 0; k < patches_.size() && !held_.empty(); k++)
-            cover(patches_[k].corner, patches_[k].deepest);
+        if (held_.empty()) return;
+        for (const SurfacePatch& patch : patches_.all()) cover(patch.corner, patch.deepest);
         for (;;) {
             HeldTriangle* next = nullptr;
             for (HeldTriangle& w : held_)
-                if (!w.covered && !(w.through && any_overlaps()) &&
+                if (!w.covered && !(w.through && patches_.any_overlaps()) &&
                     (next == nullptr || w.witness.distance < next->witness.distance))
                     next = &w;
             if (next == nullptr) return;
             next->covered = true;
-            Patch patch{.normal = next->witness.normal, .triangle = next->triangle};
-            patch.first = static_cast<int>(points_.size());
-            put(contact_points(triangle_convex(next->corner, {}, {}), shape_, next->witness,
-                               margin_));
-            if (static_cast<int>(points_.size()) == patch.first) continue;
-            add_patch(patch, next->corner);
-            cover(next->corner, patches_.back().deepest);
+            patches_.begin();
+            patches_.put(contact_points(triangle_convex(next->corner, {}, {}), shape_,
+                                        next->witness, margin_));
+            if (patches_.close(next->witness.normal, next->triangle, next->corner))
+                cover(next->corner, patches_.all().back().deepest);
         }
     }
 
@@ -779,8 +550,7 @@ private:
     Vec3 exit_direction_;         // zero until computed
     std::optional<ShapeMotion> motion_;
     std::optional<FaceClip> clip_;
-    std::vector<Patch> patches_;
-    std::vector<GapPoint> points_;
+    SurfacePatches patches_{0};
     std::vector<HeldTriangle> held_;
 };
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/stages/solver/integrate_gyroscopic.h"
 
-#include <functional>
+#include <algorithm>
+
 #include "physics/src/constraints/free_motion.h"
 #include "physics/src/constraints/kernels.h"
 #include "physics/src/foundation/tuning.h"
@@ -37,8 +38,8 @@ void write_blocks(StepContext& step, const std::vector<std::uint32_t>& hot,
             for (int k = begin; k < end; k++) {
                 GyroscopicWide& block = blocks[static_cast<std::size_t>(k)];
                 block = {};
-                for (float(&row)[8] : {std::ref(block.principal[3]), std::ref(block.turned[3])})
-                    for (float& w : row) w = 1;
+                std::fill_n(block.principal[3], lanes, 1.0f);
+                std::fill_n(block.turned[3], lanes, 1.0f);
                 for (std::size_t lane = 0; lane < lanes; lane++) {
                     const std::size_t at = static_cast<std::size_t>(k) * lanes + lane;
                     if (at < hot.size()) write_body(step, hot[at], block, static_cast<int>(lane));

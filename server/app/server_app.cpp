@@ -165,6 +165,9 @@ Status ServerApp::Impl::start() {
         if (has_events) notifier_.wake();
     });
     if (Status s = open_persistence(); !s.ok()) return s;
+    world_settings_.tick_pool = config_.tick.threads > 0
+                                    ? std::make_shared<TickPool>(config_.tick.threads)
+                                    : TickPool::for_processors();
     worlds_ = std::make_unique<WorldDirectory>(world_settings_, config_.world.worlds_max,
                                                process_suffix());
     if (Status s = open_security(); !s.ok()) return s;

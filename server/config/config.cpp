@@ -91,6 +91,7 @@ Status check(const Config& c) {
         {"tick.input_wait_seconds_max", c.tick.input_wait_seconds_max, 0, 60},
         {"tick.query_copy_share", c.tick.query_copy_share, 0, 1},
         {"tick.catch_up_ticks_max", c.tick.catch_up_ticks_max, 1, 100},
+        {"tick.threads", c.tick.threads, 0, 1024},
         {"tick.physics_threads", c.tick.physics_threads, 1, 64},
         {"tick.step_seconds_max", c.tick.step_seconds_max, 0.05, 3600},
         {"tick.lag_compensation_ms_max", c.tick.lag_compensation_ms_max, 0, 2000},

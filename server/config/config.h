@@ -68,6 +68,7 @@ struct TickSettings {
     // A late world runs up to this many ticks at once to catch up. Further late ticks are skipped
     // and counted, so that a stall of the machine is not followed by a burst.
     int catch_up_ticks_max = 4;
+    int threads = 0;          // for the ticks of all worlds; 0: one per processor, at least two
     int physics_threads = 1;  // per world
     // Share of the tick period for inputs, divided evenly among the players that send some; 0:
     // unlimited. Inputs beyond it wait for later ticks, at most this long.

@@ -109,6 +109,7 @@ Setters setters_of(Config& c) {
         {"world.spawn_load_max", into(c.world.spawn_load_max)},
         {"world.command_queue_max", into(c.world.command_queue_max)},
         {"tick.catch_up_ticks_max", into(c.tick.catch_up_ticks_max)},
+        {"tick.threads", into(c.tick.threads)},
         {"tick.physics_threads", into(c.tick.physics_threads)},
         {"tick.input_share", into(c.tick.input_share)},
         {"tick.input_wait_seconds_max", into(c.tick.input_wait_seconds_max)},

@@ -34,6 +34,8 @@ public:
 
     // Called by the world's thread.
     void count_tick(const TickSample& tick);
+    // A tick in which nothing happened. Changes the number of ticks only.
+    void count_resting_tick() { series_.tick_seconds->Observe(0); }
     // Any thread.
     void count_pause(PauseCause cause) {
         series_.pauses[static_cast<std::size_t>(cause)]->Increment();

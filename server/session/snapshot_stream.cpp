@@ -46,6 +46,7 @@ SnapshotStream::SnapshotStream(const Parts& parts, const Hello& hello, int divid
 FramePtr SnapshotStream::on_enter() {
     WorldHost& host = parts_.broadcast.host();
     sections_.on_enter(host.listeners());
+    host.wake();
     FramePtr frame = host.frame();
     events_at_entry_ = frame->events->count;
     if (EventsSection* const events = sections_.events()) events->set_cursor(events_at_entry_);

@@ -13,9 +13,23 @@ void CommandMailbox::disconnect(ClientId client) {
     push_leave({.client = client, .action = DisconnectCommand{}, .reply = nullptr});
 }
 
+bool CommandMailbox::push(Command command) {
+    if (!commands_.push(std::move(command))) return false;
+    if (on_push_) on_push_();
+    return true;
+}
+
 void CommandMailbox::push_leave(Command command) {
+    {
+        const std::lock_guard lock(mutex_);
+        leave_commands_.push_back(std::move(command));
+    }
+    if (on_push_) on_push_();
+}
+
+bool CommandMailbox::is_empty() const {
     const std::lock_guard lock(mutex_);
-    leave_commands_.push_back(std::move(command));
+    return commands_.size() == 0 && scheduled_.is_empty() && leave_commands_.empty();
 }
 
 // Takes leave commands first: the earlier inputs of those clients are in the queue by then.

@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <mutex>
 #include <span>
 #include <utility>
@@ -19,11 +20,13 @@ namespace jostle::server {
 
 class CommandMailbox {
 public:
-    // At most `capacity` commands wait for the next tick, and as many for later ones.
-    explicit CommandMailbox(std::size_t capacity) : commands_(capacity), scheduled_(capacity) {}
+    // At most `capacity` commands wait for the next tick, and as many for later ones. `on_push`:
+    // called on the pushing thread after each command.
+    explicit CommandMailbox(std::size_t capacity, std::function<void()> on_push = {})
+        : on_push_(std::move(on_push)), commands_(capacity), scheduled_(capacity) {}
 
     // Any thread. False: the queue is full and the command was not taken.
-    bool push(Command command) { return commands_.push(std::move(command)); }
+    bool push(Command command);
     // Any thread; these never block and never fail. The client left, or its connection broke and it
     // may resume.
     void leave(ClientId client, bool retain_bodies);
@@ -34,14 +37,17 @@ public:
     void take_due(std::uint32_t tick);
     std::span<const Command> inputs() const { return inputs_; }
     std::span<const Command> leave_commands() const { return taken_leave_commands_; }
+    // The tick thread: whether no command waits, for this or a later tick.
+    bool is_empty() const;
 
 private:
     void push_leave(Command command);
 
+    const std::function<void()> on_push_;
     BoundedQueue<Command> commands_;
     ScheduledInputs scheduled_;
     std::vector<Command> inputs_, taken_leave_commands_;
-    std::mutex mutex_;
+    mutable std::mutex mutex_;
     std::vector<Command> leave_commands_;  // a few of each client at most
 };
 

@@ -25,9 +25,10 @@ FrameRing::FrameRing(double history_ms, double hz)
 void FrameRing::put(FramePtr frame, bool retain) {
     std::vector<FramePtr> old;  // freed outside the lock
     const std::lock_guard lock(mutex_);
-    ASSERT(frames_.empty() || frame->tick == frames_.back()->tick + 1);
+    ASSERT(frames_.empty() || frame->tick > frames_.back()->tick);
+    const bool follows = frames_.empty() || frame->tick == frames_.back()->tick + 1;
     frames_.push_back(std::move(frame));
-    const std::size_t retained = retain ? frames_max_ : 1;
+    const std::size_t retained = retain && follows ? frames_max_ : 1;
     while (frames_.size() > retained) {
         old.push_back(std::move(frames_.front()));
         frames_.pop_front();

@@ -99,7 +99,7 @@ public:
     // Holds the frames of `history_ms` at a rate of `hz`, and at least the newest one.
     FrameRing(double history_ms, double hz);
 
-    // `retain`: keeps past frames.
+    // `retain`: keeps past frames, unless ticks are missing between them and this one.
     void put(FramePtr frame, bool retain);
     // A time after the newest frame yields the newest frame. Nothing: no frame was put yet.
     std::optional<RewindFrames> at(const ViewTime& view_time) const;

@@ -33,6 +33,7 @@ public:
     // Any thread: the newest frame; the first one exists before the first tick.
     FramePtr frame() const;
     FrameListeners& listeners() { return listeners_; }
+    const FrameListeners& listeners() const { return listeners_; }
 
     // The tick thread. `events` of the step, if there were any; without listeners the list of
     // recent events is cleared.
@@ -41,6 +42,8 @@ public:
     // Sets the mean and maximum tick time of the last second, this tick included, and the time
     // scale, which is 0 while the world is paused.
     void measure(Frame& frame, Clock::time_point began);
+    // Counts a tick without a frame, at the time at which it was due.
+    void count_resting_tick(Clock::time_point due) { time_scale_.count_tick(due); }
     TimeScale::Change poll_time_scale(Clock::time_point now) {
         return time_scale_.poll_change(now);
     }

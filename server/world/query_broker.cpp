@@ -22,6 +22,13 @@ void QueryBroker::request(CopyLayers layers, Clock::time_point now) {
         if (layers >> i & 1) requested_until_[i].store(until, std::memory_order_relaxed);
 }
 
+bool QueryBroker::is_requested() const {
+    const Clock::rep now = Clock::now().time_since_epoch().count();
+    return std::ranges::any_of(requested_until_, [&](const std::atomic<Clock::rep>& until) {
+        return until.load(std::memory_order_relaxed) > now;
+    });
+}
+
 QueryFramePtr QueryBroker::acquire(CopyLayers layers) {
     request(layers, Clock::now());
     std::unique_lock lock(mutex_);

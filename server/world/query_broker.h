@@ -34,6 +34,8 @@ public:
     QueryFramePtr acquire(CopyLayers layers);
     // Any thread: requests the layers without waiting.
     void request(CopyLayers layers, Clock::time_point now);
+    // Any thread: whether some layers are wanted.
+    bool is_requested() const;
 
     // The tick thread, once per tick: returns the layers to copy. Drops the last frame if none are
     // wanted.

@@ -25,6 +25,7 @@ public:
     // ones, each in order of arrival. All inputs of leaving clients are due.
     void select_due(std::vector<Command>& batch, std::uint32_t tick,
                     std::span<const Command> leave_commands);
+    bool is_empty() const { return waiting_.empty(); }
 
 private:
     struct Waiting {

@@ -8,16 +8,18 @@ namespace jostle::server {
 TickClock::TickClock(Clock::time_point start, double hz, int catch_up_ticks_max)
     : start_(start), period_s_(1 / hz), catch_up_ticks_max_(catch_up_ticks_max) {}
 
-Clock::time_point TickClock::next_due() const {
-    return start_ + from_seconds(static_cast<double>(next_) * period_s_);
+Clock::time_point TickClock::next_due(int ticks_later) const {
+    ASSERT(ticks_later >= 0);
+    return start_ +
+           from_seconds(static_cast<double>(next_ + static_cast<std::uint64_t>(ticks_later)) *
+                        period_s_);
 }
 
-int TickClock::due(Clock::time_point now) {
+int TickClock::due(Clock::time_point now, int expected) {
+    ASSERT(expected >= 0);
     int count = 0;
-    while (start_ + from_seconds(static_cast<double>(next_ + static_cast<std::uint64_t>(count)) *
-                                 period_s_) <=
-           now) {
-        if (count < catch_up_ticks_max_) {
+    while (next_due(count) <= now) {
+        if (count < catch_up_ticks_max_ + expected) {
             count++;
             continue;
         }
@@ -25,7 +27,7 @@ int TickClock::due(Clock::time_point now) {
         next_++;
         late_++;
     }
-    ASSERT(count >= 0 && count <= catch_up_ticks_max_);
+    ASSERT(count >= 0 && count <= catch_up_ticks_max_ + expected);
     return count;
 }
 

@@ -16,9 +16,11 @@ class TickClock {
 public:
     TickClock(Clock::time_point start, double hz, int catch_up_ticks_max);
 
-    Clock::time_point next_due() const;
-    // The number of ticks to run now, 0 to catch_up_ticks_max. Call begin_tick() for each of them.
-    int due(Clock::time_point now);
+    // The due time of the next tick, or of a later one.
+    Clock::time_point next_due(int ticks_later = 0) const;
+    // The number of ticks to run now, 0 to catch_up_ticks_max, plus `expected` ticks that are not
+    // late. Call begin_tick() for each of them.
+    int due(Clock::time_point now, int expected = 0);
     // Returns the time at which the tick was due.
     Clock::time_point begin_tick();
 

@@ -1,56 +1,68 @@
 // SPDX-License-Identifier: MIT
 #include "server/world/tick_loop.h"
 
-#include <boost/asio/io_context.hpp>
-#include <boost/asio/steady_timer.hpp>
 #include <exception>
 #include <utility>
 
 #include "jostle/base/check.h"
-#include "server/world/tick_clock.h"
+#include "server/world/tick_pool.h"
 
 namespace jostle::server {
 
-struct TickLoop::Timer {
-    boost::asio::io_context io{1};
-    boost::asio::steady_timer due{io};
-};
+TickLoop::~TickLoop() {
+    ASSERT(!pool_ || (ends_ && !runs_));
+}
 
-TickLoop::TickLoop() : timer_(std::make_unique<Timer>()) {}
-
-TickLoop::~TickLoop() = default;
-
-void TickLoop::start(const Settings& settings, Clock::time_point epoch, Tick tick,
-                     std::function<bool()> stopped, std::function<void(const char*)> on_error) {
-    ASSERT(!thread_.joinable() && tick && stopped);
-    tick_ = std::move(tick);
+void TickLoop::start(std::shared_ptr<TickPool> pool, const Settings& settings,
+                     Clock::time_point epoch, Run run, std::function<bool()> stopped,
+                     std::function<void(const char*)> on_error) {
+    ASSERT(!pool_ && pool && run && stopped && settings.rest_ticks >= 1);
+    settings_ = settings;
+    clock_.emplace(epoch, settings.hz, settings.catch_up_ticks_max);
+    run_ = std::move(run);
     stopped_ = std::move(stopped);
     on_error_ = std::move(on_error);
-    thread_ = std::thread([this, settings, epoch] { run(settings, epoch); });
+    wake_at_ = clock_->next_due();
+    pool_ = std::move(pool);
+    pool_->add(*this);
 }
 
 void TickLoop::stop() {
-    timer_->io.stop();
-    if (thread_.joinable()) thread_.join();
+    if (pool_) pool_->remove(*this);
 }
 
-void TickLoop::run(const Settings& settings, Clock::time_point epoch) {
-    TickClock clock(epoch, settings.hz, settings.catch_up_ticks_max);
-    std::function<void()> wait = [&] {
-        timer_->due.expires_at(clock.next_due());
-        timer_->due.async_wait([&](const boost::system::error_code& error) {
-            if (error || stopped_()) return;
-            for (int left = clock.due(Clock::now()); left > 0 && !stopped_(); left--)
-                tick_(clock.begin_tick(), clock.late_ticks());
-            wait();
-        });
-    };
-    wait();
+void TickLoop::wake() {
+    woken_.store(true);
+    if (rests_.load()) pool_->wake(*this);
+}
+
+void TickLoop::end_rest() {
+    rests_.store(false);
+    wake_at_ = clock_->next_due();
+}
+
+bool TickLoop::run_due() {
+    const Clock::time_point begun = Clock::now();
+    const bool rested = rests_.exchange(false);
+    woken_.store(false);
+    bool may_rest = false;
     try {
-        timer_->io.run();
+        for (int left = clock_->due(begun, rested ? settings_.rest_ticks : 0); left > 0; left--) {
+            if (stopped_()) return false;
+            const Clock::time_point due = clock_->begin_tick();
+            may_rest =
+                run_({.due = due, .late_ticks = clock_->late_ticks(), .following = left - 1});
+        }
     } catch (const std::exception& error) {
         on_error_(error.what());
+        return false;
     }
+    if (stopped_()) return false;
+    last_run_ = Clock::now() - begun;
+    rests_.store(may_rest && settings_.rest_ticks > 1);
+    if (rests_.load() && woken_.load()) rests_.store(false);
+    wake_at_ = clock_->next_due(rests_.load() ? settings_.rest_ticks - 1 : 0);
+    return true;
 }
 
 }  // namespace jostle::server

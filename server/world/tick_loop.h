@@ -1,47 +1,73 @@
 // SPDX-License-Identifier: MIT
 //
-// The thread of a world and its timer: calls a function at a fixed rate and catches up after a
-// delay, as TickClock decides.
+// The timer of a world: runs a function at a fixed rate on the threads of a TickPool and catches up
+// after a delay, as TickClock decides. A world with nothing to do may rest: its ticks then run
+// several at a time, until it is woken.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <memory>
-#include <thread>
+#include <optional>
 
 #include "server/util/clock.h"
+#include "server/world/tick_clock.h"
 
 namespace jostle::server {
+
+class TickPool;
 
 class TickLoop {
 public:
     struct Settings {
         double hz = 60;
         int catch_up_ticks_max = 4;  // ticks that run at once after a delay
+        int rest_ticks = 1;          // ticks that run at once while the world rests
     };
-    // The time at which the tick was due, and the number of ticks skipped so far.
-    using Tick = std::function<void(Clock::time_point due, std::uint32_t late_ticks)>;
+    struct Tick {
+        Clock::time_point due;
+        std::uint32_t late_ticks = 0;  // skipped so far
+        int following = 0;             // further ticks that run directly after this one
+    };
+    // Returns whether the world may rest; the result counts after the last of several ticks.
+    using Run = std::function<bool(const Tick& tick)>;
 
-    TickLoop();
+    TickLoop() = default;
     ~TickLoop();  // after stop(), or without a start
+    TickLoop(const TickLoop&) = delete;
+    TickLoop& operator=(const TickLoop&) = delete;
 
-    // Starts the thread; the first tick is due one period after `epoch`. The loop ends when
-    // `stopped`, called before each tick, returns true. An exception of a tick also ends it and is
-    // passed to `on_error` on the thread.
-    void start(const Settings& settings, Clock::time_point epoch, Tick tick,
-               std::function<bool()> stopped, std::function<void(const char* what)> on_error);
-    // Waits for the running tick; the thread ends.
+    // The first tick is due one period after `epoch`. The loop ends when `stopped`, called before
+    // each tick, returns true. An exception of a tick also ends it and is passed to `on_error` on
+    // the thread.
+    void start(std::shared_ptr<TickPool> pool, const Settings& settings, Clock::time_point epoch,
+               Run run, std::function<bool()> stopped,
+               std::function<void(const char* what)> on_error);
+    // Any thread: ends the rest of the world, because it has work. Cheap if it does not rest.
+    void wake();
+    // Waits for the running tick; no other follows. Not from within a tick.
     void stop();
 
 private:
-    void run(const Settings& settings, Clock::time_point epoch);
+    friend class TickPool;
 
-    struct Timer;  // hides Asio from this header
-    std::unique_ptr<Timer> timer_;
-    Tick tick_;
+    bool run_due();   // false: the loop has ended
+    void end_rest();  // under the lock of the pool
+
+    std::shared_ptr<TickPool> pool_;
+    Settings settings_;
+    std::optional<TickClock> clock_;
+    Run run_;
     std::function<bool()> stopped_;
     std::function<void(const char* what)> on_error_;
-    std::thread thread_;
+    // Whoever sets one of them reads the other one afterwards, so that no call of wake() is lost.
+    std::atomic<bool> rests_{false}, woken_{false};
+
+    // Owned by the pool, under its lock, or by the thread that runs the loop.
+    Clock::time_point wake_at_{};
+    Clock::duration last_run_{};
+    bool runs_ = false, ends_ = false;
 };
 
 }  // namespace jostle::server

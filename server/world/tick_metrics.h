@@ -31,6 +31,13 @@ public:
         if (metrics_) metrics_->set_hung(hung);
     }
 
+    // Whether a profile is requested.
+    bool is_recording() const { return profiler_.is_requested(); }
+
+    // The tick thread: a tick of a resting world.
+    void count_resting_tick() {
+        if (metrics_) metrics_->count_resting_tick();
+    }
     // The tick thread, in this order.
     void begin_tick(Clock::time_point now) { begun_ = now; }
     void begin_step() {

@@ -49,6 +49,7 @@ void TickWatchdog::check(Clock::time_point now) {
     hung_ = std::move(hung);
     checked_at_ = now.time_since_epoch().count();
     worlds_.restart_failed(now);
+    if (TickPool* const pool = worlds_.tick_pool()) pool->add_thread_if_stuck(now);
 }
 
 // After a stall of the process, a tick is judged by its processor time only.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Watches the ticks of all worlds on a thread of its own. It interrupts ticks that use too much
-// processor time and pauses their worlds for a while, reports ticks that hang, and restarts worlds
-// that an error ended. A world that hangs concerns its own clients only: the process is healthy as
-// long as this thread runs.
+// processor time and pauses their worlds for a while, reports ticks that hang, adds threads to the
+// pool while such ticks keep theirs, and restarts worlds that an error ended. A world that hangs
+// concerns its own clients only: the process is healthy as long as this thread runs.
 #pragma once
 
 #include <atomic>

@@ -16,7 +16,7 @@ constexpr auto report_period = std::chrono::minutes(1);
 }  // namespace
 
 void TimeScale::count_tick(Clock::time_point now) {
-    ASSERT(slices_.empty() || now >= slices_.back().begun);
+    if (!slices_.empty()) now = std::max(now, slices_.back().begun);
     if (slices_.empty() || now - slices_.back().begun >= slice) slices_.push_back({.begun = now});
     slices_.back().ticks++;
     while (slices_.size() > 1 && now - slices_[1].begun >= from_seconds(window_seconds))

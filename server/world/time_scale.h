@@ -18,7 +18,8 @@ public:
 
     explicit TimeScale(double hz) : hz_(hz) {}
 
-    // Counts a tick at its start.
+    // Counts a tick at its start. A tick of a resting world (tick_loop.h) is counted when it was
+    // due, which may be before the previous one started.
     void count_tick(Clock::time_point now);
     // The world was paused: forgets all ticks.
     void reset() { *this = TimeScale(hz_); }

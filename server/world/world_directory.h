@@ -63,6 +63,8 @@ public:
     using OnReplaced = std::function<void(const std::shared_ptr<WorldHost>& world,
                                           const std::vector<ClientId>& clients)>;
     void on_replaced(OnReplaced callback) { on_replaced_ = std::move(callback); }
+    // The threads of the ticks of all worlds; null: each world has one of its own.
+    TickPool* tick_pool() const { return settings_.tick_pool.get(); }
     // Stops and forgets the world; its sessions end. Null: not found.
     std::shared_ptr<WorldHost> remove(const std::string& id_or_name);
     void stop_all();

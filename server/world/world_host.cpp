@@ -13,6 +13,11 @@ namespace jostle::server {
 
 namespace {
 
+// Length of a rest. A checkpoint or an operator's request may wait for this long.
+constexpr double rest_seconds = 0.25;
+// A world rests after this time without a change.
+constexpr double rests_after_seconds = 1;
+
 WorldProperties properties_of(WorldStart& start) {
     ASSERT(start.scene && start.tick > 0);
     const scenes::SceneDescription& scene = *start.scene;
@@ -58,15 +63,15 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
     : properties_(properties_of(start)),
       settings_(settings),
       lifecycle_(std::move(start.paused)),
-      mailbox_(static_cast<std::size_t>(settings.command_queue_max)),
+      mailbox_(static_cast<std::size_t>(settings.command_queue_max), [this] { wake(); }),
       publisher_(properties_.hz, settings.on_frame),
       world_(std::move(start.world)),
       tick_(start.tick),
       scheduler_(settings.inputs, properties_.hz),
       body_limits_(settings.body_limits, properties_.hz),
       world_journal_(std::move(start.world_journal)),
-      // A world without a thread of its own does not depend on measured times.
-      queries_(settings.own_thread ? settings.query_copy_share / properties_.hz : 0),
+      // A world without ticks of its own does not depend on measured times.
+      queries_(settings.own_ticks ? settings.query_copy_share / properties_.hz : 0),
       tick_metrics_(settings.metrics, properties_.label.name) {
     auto first = std::make_shared<Frame>();
     first->tick = tick_;
@@ -76,12 +81,14 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
     world_.frame_history().put(first, false);
     publisher_.set_frame(std::move(first));
     if (world_journal_) world_.enable_journal();
-    if (!settings_.own_thread) return;
+    if (!settings_.own_ticks) return;
     // The first tick is the world as it was built; the loop continues from there.
     loop_.start(
-        {.hz = properties_.hz, .catch_up_ticks_max = settings_.catch_up_ticks_max},
-        properties_.due_time(tick_),
-        [this](Clock::time_point due, std::uint32_t late_ticks) { run_tick(due, late_ticks); },
+        settings_.tick_pool ? settings_.tick_pool : std::make_shared<TickPool>(1),
+        {.hz = properties_.hz,
+         .catch_up_ticks_max = settings_.catch_up_ticks_max,
+         .rest_ticks = std::max(1, static_cast<int>(rest_seconds * properties_.hz))},
+        properties_.due_time(tick_), [this](const TickLoop::Tick& tick) { return run_tick(tick); },
         [this] { return lifecycle_.stopped(); },
         // Out of memory, for example: this world ends, its clients are notified and the other
         // worlds continue.
@@ -122,6 +129,7 @@ bool WorldHost::stop_for_replacement() {
 void WorldHost::pause(std::string reason) {
     log_info("world {} \"{}\" was paused: {}", id(), name(), reason);
     lifecycle_.pause(std::move(reason));
+    wake();
     tick_metrics_.count_pause(PauseCause::request);
 }
 
@@ -129,6 +137,7 @@ void WorldHost::resume() {
     if (lifecycle_.paused()) log_info("world {} \"{}\" was resumed", id(), name());
     lifecycle_.clear_pause();
     single_step_.cancel();
+    wake();
 }
 
 // Pauses before it stops the step: see step().
@@ -153,11 +162,47 @@ void WorldHost::cancel_waiters() {
 }
 
 QueryFramePtr WorldHost::query_frame(CopyLayers layers) {
-    if (!settings_.own_thread && !lifecycle_.stopped()) {
+    if (!settings_.own_ticks && !lifecycle_.stopped()) {
         queries_.request(layers, Clock::now());
         serve_queries();
     }
+    queries_.request(layers, Clock::now());
+    wake();
     return queries_.acquire(layers);
+}
+
+bool WorldHost::run_tick(const TickLoop::Tick& tick) {
+    if (rests_ && tick.following > 0) {
+        run_resting_tick(tick.due);
+        return true;
+    }
+    run_tick(tick.due, tick.late_ticks);
+    rests_ = may_rest(*publisher_.frame());
+    return rests_;
+}
+
+bool WorldHost::may_rest(const Frame& frame) const {
+    const auto unchanged = static_cast<double>(frame.tick - frame.changed_at);
+    return (frame.awake == 0 || frame.paused) && unchanged > rests_after_seconds * properties_.hz &&
+           publisher_.listeners().streams.load() == 0 && results_.empty() &&
+           scheduler_.waiting() == 0 && mailbox_.is_empty() && !queries_.is_requested() &&
+           !tick_metrics_.is_recording();
+}
+
+void WorldHost::run_resting_tick(Clock::time_point due) {
+    if (checkpoint_copier_) std::exchange(checkpoint_copier_, nullptr)->finish();
+    // The last of the ticks that run at once ends it. Processor times cost more than such a tick.
+    if (!lifecycle_.is_in_tick()) lifecycle_.begin_tick(Clock::now());
+    tick_++;
+    const bool steps = !lifecycle_.paused();
+    if (world_journal_) world_journal_->append({tick_, steps, world_.take_journal()});
+    results_.clear();
+    if (steps) {
+        step(false);
+        publisher_.count_resting_tick(due);
+    }
+    tick_metrics_.count_resting_tick();
+    if (world_journal_) persist_published(0, true);
 }
 
 // One tick. No other thread touches world_ meanwhile, except to stop its step.
@@ -379,8 +424,8 @@ void WorldHost::hand_over_checkpoint() {
     if (!world_journal_ || step_aborted_ || !world_journal_->wants_checkpoint()) return;
     auto copier = std::make_shared<CheckpointCopier>([this] { return checkpoint_copy(); });
     world_journal_->write_checkpoint(tick_, copier);
-    if (copier.use_count() == 1) return;          // the journal does not need it any more
-    if (!settings_.own_thread) copier->finish();  // the caller of tick() may read the world
+    if (copier.use_count() == 1) return;         // the journal does not need it any more
+    if (!settings_.own_ticks) copier->finish();  // the caller of tick() may read the world
     ASSERT(!checkpoint_copier_);
     checkpoint_copier_ = std::move(copier);
 }

@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// One world on one thread, which takes commands, applies them, steps and publishes a frame at a
-// fixed rate. Commands enter through a bounded mailbox and frames leave as immutable values; no
-// other thread accesses the world. A world without a thread of its own ticks by calls of tick(),
-// for tests and simulations.
+// One world, on one thread at a time, which takes commands, applies them, steps and publishes a
+// frame at a fixed rate. Commands enter through a bounded mailbox and frames leave as immutable
+// values; no other thread accesses the world. A world that nobody watches and in which nothing
+// moves rests: it steps at the same rate, but several ticks at once and without frames in between.
+// A world without ticks of its own ticks by calls of tick(), for tests and simulations.
 #pragma once
 
 #include <atomic>
@@ -25,6 +26,7 @@
 #include "server/world/single_step_control.h"
 #include "server/world/tick_loop.h"
 #include "server/world/tick_metrics.h"
+#include "server/world/tick_pool.h"
 #include "server/world/world_lifecycle.h"
 #include "server/world/world_persistence.h"
 #include "server/world/world_properties.h"
@@ -46,7 +48,9 @@ struct WorldHostSettings {
     BodyLimits::Settings body_limits;
     int catch_up_ticks_max = 4;
     int physics_threads = 1;
-    bool own_thread = true;                         // false: the world ticks only in tick()
+    bool own_ticks = true;  // false: the world ticks only in tick()
+    // The threads of its ticks; null: one thread of its own.
+    std::shared_ptr<TickPool> tick_pool = nullptr;
     WorldPersistence* world_persistence = nullptr;  // null: worlds end with the process
     // See FramePublisher.
     std::function<void(bool has_events)> on_frame;
@@ -95,7 +99,7 @@ public:
     const FrameRing& frame_history() const { return world_.frame_history(); }
     // A copy of the world for queries, at most a few ticks old, or older if
     // copies are expensive (query_copy_share). Waits for the next one; null: none
-    // arrived in time. Without a thread of its own: a copy of the current state.
+    // arrived in time. Without ticks of its own: a copy of the current state.
     QueryFramePtr query_frame(CopyLayers layers);
 
     // Any thread: pausing, stepping and watching the world.
@@ -120,19 +124,28 @@ public:
         return world_journal_ ? world_journal_->oldest_tick() : 0;
     }
 
-    // Ends the thread, also during a long step; the last frame remains readable.
+    // Any thread: the world has work and may not rest (tick_loop.h). Commands, queries, pauses and
+    // new clients call it.
+    void wake() { loop_.wake(); }
+
+    // Ends the ticks, also during a long step; the last frame remains readable.
     void stop();
     // stop() for a world that another host continues; its clients should reconnect. False: the
     // world was stopped already.
     bool stop_for_replacement();
     // Any thread: stop() writes no checkpoint.
     void skip_final_checkpoint() { skips_final_checkpoint_.store(true); }
-    // A world without a thread of its own, one thread at a time: runs the tick that is due.
+    // A world without ticks of its own, one thread at a time: runs the tick that is due.
     void tick(Clock::time_point due) { run_tick(due, 0); }
 
 private:
     WorldHost(WorldStart start, const WorldHostSettings& settings);
     void run_tick(Clock::time_point due, std::uint32_t late_ticks);
+    bool run_tick(const TickLoop::Tick& tick);  // returns may_rest()
+    // One of several ticks that run at once because the world rests.
+    void run_resting_tick(Clock::time_point due);
+    // Returns whether nobody watches the world and nothing happens in it.
+    bool may_rest(const Frame& frame) const;
     // `refusal`: why no input is applied; nothing: inputs are applied.
     std::optional<Error> input_refusal(const std::optional<std::string>& paused) const;
     void apply_commands(std::optional<Error> refusal, Clock::time_point due);
@@ -169,6 +182,7 @@ private:
     bool step_refused_ = false, step_interrupted_ = false;
     Clock::time_point next_pairs_warning_{};
     bool step_aborted_ = false;  // the end of the world aborted the last step
+    bool rests_ = false;         // may_rest() of the last frame
 
     const std::shared_ptr<WorldJournal> world_journal_;    // null: not persisted
     std::shared_ptr<CheckpointCopier> checkpoint_copier_;  // of the previous tick; null: none

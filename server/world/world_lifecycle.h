@@ -78,6 +78,7 @@ public:
     // The tick thread.
     void begin_tick(Clock::time_point now);
     void end_tick() { tick_began_.store(0); }
+    bool is_in_tick() const { return tick_began_.load(std::memory_order_relaxed) != 0; }
 
 private:
     mutable std::mutex mutex_;

@@ -34,7 +34,7 @@ struct SmallServer {
         {.limits = {.scene = {.bodies_max = config.world.bodies_max, .first_step_seconds_max = 100},
                     .bodies_owned_max = config.client.bodies_owned_max},
          .command_queue_max = 256,
-         .own_thread = false},
+         .own_ticks = false},
         config.world.worlds_max};
     server::PlayContext context{
         .config = config, .worlds = worlds, .sessions = sessions, .authorizer = authorizer};

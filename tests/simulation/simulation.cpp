@@ -54,7 +54,7 @@ struct Simulation::Server {
         {.limits = {.scene = {.bodies_max = config.world.bodies_max, .first_step_seconds_max = 100},
                     .bodies_owned_max = config.client.bodies_owned_max},
          .command_queue_max = 512,
-         .own_thread = false},
+         .own_ticks = false},
         config.world.worlds_max};
     std::shared_ptr<server::WorldHost> world;
     server::PlayContext context{

@@ -34,7 +34,7 @@ struct Server {
         archive = WorldArchive::open(settings, limits, 1, nullptr).value();
         worlds.emplace(
             WorldHostSettings{
-                .limits = limits, .own_thread = false, .world_persistence = archive.get()},
+                .limits = limits, .own_ticks = false, .world_persistence = archive.get()},
             8, "test");
         for (PersistedWorld& persisted : archive->take_worlds()) {
             previous_clients = persisted.previous_clients;

@@ -45,7 +45,7 @@ protected:
         archive_ = WorldArchive::open(settings, limits, 1, nullptr).value();
         worlds_.emplace(
             WorldHostSettings{
-                .limits = limits, .own_thread = false, .world_persistence = archive_.get()},
+                .limits = limits, .own_ticks = false, .world_persistence = archive_.get()},
             8, "test");
         for (PersistedWorld& persisted : archive_->take_worlds())
             worlds_->adopt(std::move(persisted.start));
@@ -311,7 +311,7 @@ TEST_F(Undoing, world_continues_unchanged_if_there_is_nothing_to_undo) {
     EXPECT_EQ(refused.code, ErrorCode::not_found);
     EXPECT_EQ(refused.message, "client 7 has no inputs since tick 12");
     EXPECT_FALSE(yard->lifecycle().stopped());
-    WorldDirectory transient({.own_thread = false}, 8, "test");
+    WorldDirectory transient({.own_ticks = false}, 8, "test");
     const auto world = transient.create("yard", *scenes::find_scene("stack")).value();
     EXPECT_EQ(error_of(transient.undo(world, griefer, 10)).code, ErrorCode::failed_precondition);
 }

@@ -38,7 +38,7 @@ public:
         auto opened = WorldArchive::open(settings, limits(), 1, [this] { results_sent++; });
         archive = std::move(opened).value();
         hosts.limits = limits();
-        hosts.own_thread = false;
+        hosts.own_ticks = false;
         hosts.world_persistence = archive.get();
         worlds.emplace(hosts, 8, "test");
         for (PersistedWorld& kept : archive->take_worlds()) {
@@ -120,7 +120,7 @@ TEST(WorldArchive, world_is_bit_identical_after_three_killed_processes) {
     const auto reply = std::make_shared<ResultQueue>();
     // The same world without interruption.
     const auto alone = WorldHost::start("w1", "alone", *scenes::find_scene("stack"),
-                                        {.limits = limits(), .own_thread = false})
+                                        {.limits = limits(), .own_ticks = false})
                            .value();
     for (int life = 0; life < 4; life++) {
         Process process(folder / "worlds.db");

@@ -34,7 +34,7 @@ struct TestServer {
     server::WorldDirectory worlds{
         {.limits = {.scene = {.first_step_seconds_max = 100},
                     .lag_compensation_ms_max = config.tick.lag_compensation_ms_max},
-         .own_thread = false},
+         .own_ticks = false},
         2};
     server::PlayContext context{
         .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *authorizer};

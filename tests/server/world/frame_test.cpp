@@ -65,6 +65,16 @@ TEST(FrameRing, retains_past_frames_only_while_clients_watch) {
     EXPECT_TRUE(ring.at({20, 0})->clamped);
 }
 
+// A world that rested has no frames of the ticks in between.
+TEST(FrameRing, drops_frames_from_before_a_gap) {
+    FrameRing ring(400, 60);
+    for (const std::uint32_t tick : {1, 2, 3, 18, 19}) ring.put(frame_of(tick), true);
+    EXPECT_EQ(ring.at({18, 0.5})->before->tick, 18u);
+    EXPECT_EQ(ring.at({18, 0.5})->after->tick, 19u);
+    EXPECT_EQ(ring.at({10, 0})->before->tick, 18u);
+    EXPECT_TRUE(ring.at({10, 0})->clamped);
+}
+
 TEST(FrameRing, zero_history_retains_only_the_newest_frame) {
     FrameRing ring(0, 60);
     ring.put(frame_of(7), true);

@@ -41,7 +41,7 @@ TEST(WorldHost, ticks_at_the_configured_rate) {
 
 TEST(WorldHost, scheduled_inputs_wait_for_their_tick_and_report_margin) {
     WorldHostSettings settings;
-    settings.own_thread = false;
+    settings.own_ticks = false;
     const auto host = *WorldHost::start("w1", "test", *scenes::find_scene("stack"), settings);
     const auto queue = std::make_shared<ResultQueue>();
     const Clock::time_point start = Clock::time_point() + 5s;
@@ -74,7 +74,7 @@ TEST(WorldHost, scheduled_inputs_wait_for_their_tick_and_report_margin) {
 TEST(WorldHost, ticks_manually_without_a_thread) {
     int frames = 0;
     WorldHostSettings settings;
-    settings.own_thread = false;
+    settings.own_ticks = false;
     settings.on_frame = [&](bool) { frames++; };
     const auto host = *WorldHost::start("w1", "test", *scenes::find_scene("stack"), settings);
     EXPECT_EQ(host->frame()->tick, 1u);
@@ -95,6 +95,45 @@ TEST(WorldHost, ticks_manually_without_a_thread) {
     EXPECT_LT(Clock::now() - asked, QueryBroker::timeout) << "and nobody is waited for";
     host->stop();
     EXPECT_EQ(host->query_frame(copy_shapes), nullptr);
+}
+
+// A world at rest steps at its rate, but publishes a frame every quarter of a second.
+TEST(WorldHost, a_world_that_nobody_watches_rests_until_a_command_arrives) {
+    scenes::SceneDescription scene{.name = "floor", .hz = 100};
+    scene.bodies.push_back({.body = {.type = physics::BodyType::static_body},
+                            .shapes = {{.geometry = physics::Box{}}}});
+    std::atomic<int> frames{0};
+    WorldHostSettings settings;
+    settings.on_frame = [&](bool) { frames++; };
+    const auto host = *WorldHost::start("w1", "test", scene, settings);
+    ASSERT_TRUE(wait_until([&] { return host->frame()->tick > 130; }));
+    const int before = frames;
+    const std::uint32_t first = host->frame()->tick;
+    ASSERT_TRUE(wait_until([&] { return host->frame()->tick >= first + 100; }));
+    EXPECT_LE(frames - before, 6);
+    EXPECT_NEAR(host->frame()->time_scale, 1, 0.01);
+    EXPECT_EQ(host->frame()->late_ticks, 0u);
+    // The result of an input comes as fast as from a world that does not rest.
+    const auto queue = std::make_shared<ResultQueue>();
+    double longest_ms = 0;
+    for (std::uint32_t k = 1; k <= 5; k++) {
+        const auto pushed = Clock::now();
+        ASSERT_TRUE(host->mailbox().push(
+            {.client = 1, .sequence = k, .action = ReleaseCommand{}, .reply = queue}));
+        ASSERT_TRUE(wait_until([&] { return !queue->take().empty(); }));
+        longest_ms = std::max(longest_ms, to_ms(Clock::now() - pushed));
+        std::this_thread::sleep_for(30ms);
+    }
+    EXPECT_LT(longest_ms, 100);
+    EXPECT_NE(host->query_frame(copy_shapes), nullptr);
+    // With a client it publishes every tick.
+    host->listeners().streams++;
+    host->wake();
+    const int watched = frames;
+    const std::uint32_t from = host->frame()->tick;
+    ASSERT_TRUE(wait_until([&] { return host->frame()->tick >= from + 60; }));
+    EXPECT_GE(frames - watched, 30);
+    host->listeners().streams--;
 }
 
 TEST(WorldHost, applies_concurrent_commands_exactly_once) {

@@ -32,7 +32,7 @@ void play(const std::string& path, bool late) {
     const server::HostLimits limits{.scene = {.bodies_max = 400}};
     auto archive = server::WorldArchive::open(settings, limits, 1, nullptr).value();
     server::WorldDirectory worlds(
-        {.limits = limits, .own_thread = false, .world_persistence = archive.get()}, 4, "test");
+        {.limits = limits, .own_ticks = false, .world_persistence = archive.get()}, 4, "test");
     const auto world = worlds.create("yard", *scenes::find_scene("stack")).value();
     std::uint32_t sequence = 0;
     for (std::uint32_t tick = 2; tick <= 201; tick++) {

@@ -35,7 +35,7 @@ inline RecordedWorld record_world(int ticks, int ticks_between_keyframes) {
     const std::unique_ptr<server::Authorizer> authorizer = server::Authorizer::open(config).value();
     server::SessionDirectory sessions{2};
     server::WorldDirectory worlds{
-        {.limits = {.scene = {.first_step_seconds_max = 100}}, .own_thread = false}, 1};
+        {.limits = {.scene = {.first_step_seconds_max = 100}}, .own_ticks = false}, 1};
     server::PlayContext context{
         .config = config, .worlds = worlds, .sessions = sessions, .authorizer = *authorizer};
     const std::shared_ptr<server::WorldHost> world =

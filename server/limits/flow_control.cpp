@@ -20,6 +20,7 @@ constexpr int round_acks = 2;
 constexpr double rate_min = 1;
 constexpr double below_delivered = 0.95;  // so that the queue drains
 constexpr double first_raise = 1.1, next_raise = 1.5;
+constexpr auto silence_max = std::chrono::seconds(2);
 constexpr auto pause_min = std::chrono::seconds(1), pause_max = std::chrono::seconds(2);
 // While a client is slow, the path is drained this often to measure the base round trip again. An
 // overestimated base round trip would keep a queue of the same length.
@@ -63,13 +64,22 @@ bool FlowControl::may_send(std::uint32_t tick, Clock::time_point now) {
     }
     // Only snapshots are acknowledged: if none is in flight, one must be sent.
     const bool open = in_flight_ + others_ < window() && !emptying_ && !probing_;
-    if (sent_snapshots_.empty() || open) return true;
+    if (sent_snapshots_.empty() || open || probes_silent_client(now)) return true;
     skipped_++;
     return false;
 }
 
+bool FlowControl::probes_silent_client(Clock::time_point now) {
+    if (silence_ == Clock::duration{})
+        silence_ = from_seconds(rtt_min_s_ + settings_.ack_interval_ms / 1000.0 + slack_s);
+    if (now - last_sent_ <= silence_) return false;
+    silence_ = std::min<Clock::duration>(2 * silence_, silence_max);
+    return true;
+}
+
 void FlowControl::on_sent(std::uint32_t frame, Clock::time_point now) {
     const bool alone = sent_snapshots_.empty() && (others_ == 0 || probing_);
+    last_sent_ = now;
     sent_snapshots_.push_back({frame, now, others_ + 1, alone});
     in_flight_ += others_ + 1;
     ASSERT(in_flight_ > 0);
@@ -85,6 +95,7 @@ void FlowControl::on_ack(std::uint32_t frame, Clock::duration ack_delay, Clock::
     const auto at = std::find_if(sent_snapshots_.begin(), sent_snapshots_.end(),
                                  [&](const SentSnapshot& f) { return f.frame == frame; });
     if (at == sent_snapshots_.end()) return;
+    silence_ = {};
     const SentSnapshot sent = *at;
     const double rtt = std::max(0.0, seconds(now - sent.at - ack_delay));
     update_round_trip(sent, rtt, now);

@@ -8,8 +8,11 @@
 // delivered rate, nothing is sent until the queue is gone, and the window shrinks with the rate. A
 // burst, or a stall of any length, leaves no queue behind and changes nothing. After a pause the
 // rate rises again, and the window with the delivered rate; the pause doubles if the rise was too
-// much. (Standing queue: CoDel, Nichols and Jacobson 2012. Rate from delivery: BBR, Cardwell et al.
-// 2016.)
+// much. A client that has not acknowledged although it must, and to which nothing was sent since,
+// gets a single snapshot, then others after growing pauses: clients that look at their clock only
+// when a snapshot arrives would otherwise wait for the server while it waits for them. (As TCP's
+// persist timer: RFC 9293, 3.8.6.1. Standing queue: CoDel, Nichols and Jacobson 2012. Rate from
+// delivery: BBR, Cardwell et al. 2016.)
 #pragma once
 
 #include <cstdint>
@@ -65,6 +68,7 @@ private:
     void update_round_trip(const SentSnapshot& flight, double rtt, Clock::time_point now);
     void update_queue_estimate(const SentSnapshot& flight, double rtt, int delivered,
                                Clock::time_point now);
+    bool probes_silent_client(Clock::time_point now);
     void end_round(Clock::time_point now);
     void slow_down(Clock::time_point now);
     void speed_up();
@@ -83,8 +87,9 @@ private:
     bool probing_ = false;   // with a single snapshot in flight
     bool limited_ = false;   // the rate was lowered, and the full rate is not confirmed yet
     bool raised_ = false;    // since the rate was lowered
-    Clock::time_point next_send_{}, raise_at_{}, lowered_{}, alone_at_{};
-    Clock::duration pause_;  // before the rate is raised
+    Clock::time_point next_send_{}, raise_at_{}, lowered_{}, alone_at_{}, last_sent_{};
+    Clock::duration pause_;      // before the rate is raised
+    Clock::duration silence_{};  // before the next snapshot for a silent client; 0: not silent
     std::uint32_t skipped_ = 0, rate_skipped_ = 0;
 };
 

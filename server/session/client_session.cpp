@@ -119,6 +119,7 @@ std::optional<OutMessage> ClientSession::take_message(Clock::time_point now) {
         message = network_simulator_->take_outgoing(now, end_.has_value());
     }
     if (message) metrics_.sent(*message, now);
+    if (message) timeouts_.on_sent(message->size());
     return message;
 }
 

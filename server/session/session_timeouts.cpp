@@ -9,7 +9,7 @@
 namespace jostle::server {
 
 void SessionTimeouts::on_datagram(Clock::time_point arrived) {
-    last_received_ = std::max(last_received_, arrived);
+    if (arrived >= last_received_) on_received(arrived);
 }
 
 void SessionTimeouts::on_input_sequence(std::uint32_t sequence, Clock::time_point now) {
@@ -36,8 +36,14 @@ std::optional<Error> SessionTimeouts::hello_timeout(Clock::time_point now) const
                              settings_.hello_timeout_seconds)};
 }
 
+double SessionTimeouts::transfer_seconds(std::size_t bytes) {
+    constexpr double slowest = 32e3;  // bytes per second
+    return std::min(static_cast<double>(bytes) / slowest, 120.0);
+}
+
 std::optional<Error> SessionTimeouts::client_timeout(Clock::time_point now) const {
-    if (now - last_received_ <= from_seconds(settings_.client_timeout_seconds)) return std::nullopt;
+    const double patience = settings_.client_timeout_seconds + transfer_seconds(sent_bytes_);
+    if (now - last_received_ <= from_seconds(patience)) return std::nullopt;
     return Error{ErrorCode::deadline_exceeded,
                  fmt::format("no message arrived for {:g} s; send an Ack or a Ping more often",
                              settings_.client_timeout_seconds)};

@@ -4,6 +4,7 @@
 // or its machine was stalled does not count against the client. Used on the session's thread.
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <optional>
 
@@ -25,7 +26,13 @@ public:
           last_input_(now),
           checked_(now) {}
 
-    void on_received(Clock::time_point now) { last_received_ = now; }
+    void on_received(Clock::time_point now) {
+        last_received_ = now;
+        sent_bytes_ = 0;
+    }
+    // A client answers after it has received what is on its way: a large world over a slow link
+    // takes longer than the timeout.
+    void on_sent(std::size_t bytes) { sent_bytes_ += bytes; }
     // Datagrams are taken some time after they arrived, possibly after a newer stream message.
     void on_datagram(Clock::time_point arrived);
     void on_joined(Clock::time_point now) { last_input_ = now; }
@@ -41,6 +48,8 @@ public:
     // Why the session ends now; nothing: it does not.
     std::optional<Error> hello_timeout(Clock::time_point now) const;
     std::optional<Error> client_timeout(Clock::time_point now) const;
+    // The time that `bytes` take over the slowest link that is waited for, at most 2 minutes.
+    static double transfer_seconds(std::size_t bytes);
     // Only for players.
     std::optional<Error> idle_timeout(Clock::time_point now) const;
     std::optional<Error> read_timeout(Clock::time_point now) const;
@@ -52,6 +61,7 @@ private:
     const double idle_kick_seconds_;
     Clock::time_point begun_, last_received_, last_input_, checked_;
     std::uint32_t input_sequence_ = 0;
+    std::size_t sent_bytes_ = 0;                      // since the last message arrived
     std::optional<Clock::time_point> blocked_since_;  // nothing: the transport can write
 };
 

@@ -131,18 +131,25 @@ TEST(FlowControl, sends_every_tick_at_any_latency) {
     }
 }
 
+// A tenth of a second is the interval of acknowledgements, and 0.05 s the slack.
 TEST(FlowControl, limits_unacknowledged_messages_to_the_window) {
     FlowControl flow({}, rate_hz, 1);
-    int sent = 0;
+    std::vector<double> sent_s;
     for (std::uint32_t tick = 1; tick <= 600; tick++) {
-        const Clock::time_point now = Clock::time_point{} + 1h + from_seconds(tick / rate_hz);
+        const double now_s = tick / rate_hz;
+        const Clock::time_point now = Clock::time_point{} + 1h + from_seconds(now_s);
         if (!flow.may_send(tick, now)) continue;
         flow.on_sent(tick, now);
-        sent++;
+        sent_s.push_back(now_s);
     }
-    EXPECT_EQ(sent, 4) << "the window must stay closed until an acknowledgement";
-    EXPECT_EQ(flow.skipped(), 596u);
+    EXPECT_EQ(flow.skipped(), 600 - sent_s.size());
     EXPECT_EQ(flow.round_trip_s(), 0) << "there is no estimate before the first acknowledgement";
+    ASSERT_GE(sent_s.size(), 10u);
+    EXPECT_LE(sent_s.size(), 12u);
+    EXPECT_NEAR(sent_s[3], 4 / rate_hz, 1e-9) << "the window is full";
+    const double pauses_s[] = {0.15, 0.3, 0.6, 1.2, 2, 2};
+    for (std::size_t k = 0; k < 6; k++)
+        EXPECT_NEAR(sent_s[4 + k] - sent_s[3 + k], pauses_s[k], 1.01 / rate_hz) << k;
 }
 
 // The guaranteed bound: in every 10 s after the first 5 s, 99 of 100 snapshots are read within 250
@@ -264,6 +271,42 @@ TEST(FlowControl, lost_snapshots_leave_the_window) {
     EXPECT_EQ(flow.in_flight(), 0);
     flow.on_ack(2, {}, begin + 1s);
     EXPECT_EQ(flow.in_flight(), 0) << "a late acknowledgement must have no effect";
+}
+
+// A client that looks at its clock only when a snapshot arrives, and acknowledges if 100 ms have
+// passed: four snapshots arrive within 67 ms.
+TEST(FlowControl, a_client_that_acknowledges_only_on_arrival_is_not_forgotten) {
+    for (const double delay_s : {0.0, 0.05, 0.2}) {
+        FlowControl flow({}, rate_hz, 1);
+        struct Arrival {
+            double at_s;
+            std::uint32_t frame;
+        };
+        std::deque<Arrival> arrivals, acks;
+        const auto at = [](double seconds) {
+            return Clock::time_point{} + 1h + from_seconds(seconds);
+        };
+        double acked_s = 0, longest_gap_s = 0, last_s = 0;
+        int received = 0;
+        for (std::uint32_t tick = 1; tick < 20 * 60; tick++) {
+            const double now_s = tick / rate_hz;
+            for (; !arrivals.empty() && arrivals.front().at_s <= now_s; arrivals.pop_front()) {
+                longest_gap_s = std::max(longest_gap_s, now_s - last_s);
+                last_s = now_s;
+                received++;
+                if (now_s - acked_s < 0.1) continue;
+                acked_s = now_s;
+                acks.push_back({now_s + delay_s, arrivals.front().frame});
+            }
+            for (; !acks.empty() && acks.front().at_s <= now_s; acks.pop_front())
+                flow.on_ack(acks.front().frame, 0ms, at(now_s));
+            if (!flow.may_send(tick, at(now_s))) continue;
+            flow.on_sent(tick, at(now_s));
+            arrivals.push_back({now_s + delay_s, tick});
+        }
+        EXPECT_GT(received, 20 * 55) << delay_s;
+        EXPECT_LT(longest_gap_s, 0.3 + 3 * delay_s) << delay_s;
+    }
 }
 
 }  // namespace

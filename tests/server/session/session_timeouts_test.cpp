@@ -38,6 +38,19 @@ TEST_F(SessionTimeoutsTest, each_timeout_starts_with_its_own_event) {
     EXPECT_FALSE(timeouts.read_timeout(start + 60s));
 }
 
+// 1 MB takes 16 s at 0.5 Mbit/s. It is on its way for up to 31 s.
+TEST_F(SessionTimeoutsTest, a_client_has_time_to_receive_what_was_sent) {
+    timeouts.on_received(start);
+    timeouts.on_sent(600'000);
+    timeouts.on_sent(400'000);
+    EXPECT_FALSE(timeouts.client_timeout(start + 41s));
+    EXPECT_TRUE(timeouts.client_timeout(start + 42s));
+    timeouts.on_received(start + 20s);
+    EXPECT_TRUE(timeouts.client_timeout(start + 31s)) << "the rest has arrived";
+    timeouts.on_sent(std::size_t{1} << 40);
+    EXPECT_TRUE(timeouts.client_timeout(start + 151s));
+}
+
 TEST_F(SessionTimeoutsTest, idle_timeout_starts_with_each_new_input) {
     EXPECT_FALSE(timeouts.idle_timeout(start + 24h)) << "0 disables it";
     SessionTimeouts idle(settings, start, 60);

@@ -60,7 +60,7 @@ PackedPoints encode_points(const PointLayout& layout, const PointOrder& order,
 
 Result<DecodedPoints> read_points(const PointLayout& layout, const PointOrder& order,
                                   std::uint32_t number, std::span<const std::byte> bytes,
-                                  const PointBaselines& baselines) {
+                                  const PointBaselines& available) {
     PointModels models = start_point_models();
     RangeDecoder in(bytes);
     PointSerializer walk(in, models, {layout, order});
@@ -71,6 +71,11 @@ Result<DecodedPoints> read_points(const PointLayout& layout, const PointOrder& o
     DecodedPoints made;
     made.levels = static_cast<std::size_t>(in.raw(0, point_level_bits)) + 1;
     made.state.number = number;
+    const auto used = static_cast<std::size_t>(in.raw(0, point_baseline_bits));
+    if (used > available.count())
+        return at(std::to_string(used) + " baselines are used; " +
+                  std::to_string(available.count()) + " are known");
+    const PointBaselines baselines = available.first(used);
     std::size_t count = layout.points;
     if (layout.form == PointForm::loose) {
         const std::size_t before =

@@ -25,23 +25,27 @@ PointBaselines PointHistory::baselines(bool refines) const {
     return {at(1), at(2), at(3)};
 }
 
-Status PointHistory::add(std::uint32_t number, std::uint32_t tick, std::uint32_t back,
-                         std::span<const std::byte> bytes, std::uint32_t crc) {
+Result<DecodedPoints> PointHistory::read(std::uint32_t number, std::uint32_t back,
+                                         std::span<const std::byte> bytes) const {
     const std::uint32_t known = usable_ > 0 ? states_.back().points.state.number : 0;
     if (back != 0 && (usable_ == 0 || back - 1 > number || number - (back - 1) != known))
         return Error{ErrorCode::failed_precondition,
                      "points: state " + std::to_string(number) + " is based on state " +
                          std::to_string(std::int64_t{number} - back + 1) +
                          "; the newest known one is " + std::to_string(known)};
-    const bool refines = back == 1;
-    Result<DecodedPoints> read = read_points(layout_, order_, number, bytes,
-                                             back == 0 ? PointBaselines{} : baselines(refines));
-    if (!read.ok()) return read.error();
-    if (read->crc != crc)
+    return read_points(layout_, order_, number, bytes,
+                       back == 0 ? PointBaselines{} : baselines(back == 1));
+}
+
+Status PointHistory::add(std::uint32_t number, std::uint32_t tick, std::uint32_t back,
+                         std::span<const std::byte> bytes, std::uint32_t crc) {
+    Result<DecodedPoints> decoded = read(number, back, bytes);
+    if (!decoded.ok()) return decoded.error();
+    if (decoded->crc != crc)
         return Error{ErrorCode::corrupt_data,
                      "points: CRC mismatch in state " + std::to_string(number)};
-    Entry entry{*std::move(read), tick};
-    if (refines) {
+    Entry entry{*std::move(decoded), tick};
+    if (back == 1) {
         refine(std::move(entry));
         return {};
     }

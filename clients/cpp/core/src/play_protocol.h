@@ -73,6 +73,8 @@ private:
     void on_message(Clock::time_point now);
     void on_welcome(const v1::Welcome& welcome, Clock::time_point now);
     void on_snapshot(const v1::Snapshot& snapshot, Clock::time_point now);
+    void on_points(const v1::Snapshot& snapshot);
+    bool needs_keyframe() const { return need_keyframe_ || view_.points().needs_keyframe(); }
     std::string hello();
     bool sends_inputs_on_stream(Clock::time_point now) const;
     std::string datagram_with_inputs(Clock::time_point now);

@@ -39,10 +39,10 @@ struct DecodedPoints {
     std::uint32_t crc = 0;
 };
 /// Decodes untrusted bytes. Returns corrupt_data with the reason if they are malformed. A count of
-/// points is limited before memory is allocated.
+/// points is limited before memory is allocated. The bytes use the first ones of `available`.
 Result<DecodedPoints> read_points(const PointLayout& layout, const PointOrder& order,
                                   std::uint32_t number, std::span<const std::byte> bytes,
-                                  const PointBaselines& baselines);
+                                  const PointBaselines& available);
 
 /// Replaces the points beyond the first `levels` levels by their predictions from the other points.
 void coarse_points(const PointLayout& layout, const PointOrder& order,

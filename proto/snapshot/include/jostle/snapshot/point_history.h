@@ -37,6 +37,10 @@ public:
     Status add(std::uint32_t number, std::uint32_t tick, std::uint32_t back,
                std::span<const std::byte> bytes, std::uint32_t crc);
 
+    /// Decodes a state as add() does, without the CRC, and adds nothing.
+    Result<DecodedPoints> read(std::uint32_t number, std::uint32_t back,
+                               std::span<const std::byte> bytes) const;
+
     const PointLayout& layout() const { return layout_; }
     /// The oldest state first. PointState::previous of each refers to the one before it.
     const std::deque<Entry>& states() const { return states_; }

@@ -18,7 +18,8 @@
 
 namespace jostle::snapshot {
 
-inline constexpr unsigned point_level_bits = 2, point_degree_bits = 2, point_scale_bits = 4;
+inline constexpr unsigned point_level_bits = 2, point_baseline_bits = 2, point_degree_bits = 2,
+                          point_scale_bits = 4;
 
 struct PointTopology {
     const PointLayout& layout;
@@ -236,6 +237,7 @@ void write_points(Coder& out, PointModels& models, const PointTopology& topology
     PointState walked = state;
     PointSerializer walk(out, models, topology);
     out.raw(levels - 1, point_level_bits);
+    out.raw(baselines.count(), point_baseline_bits);
     if (topology.layout.form == PointForm::loose) {
         const std::size_t components = components_of(topology.layout.form);
         walk.lifetimes(walked.previous,

@@ -3,6 +3,7 @@
 // The points of a point object at one time (WIRE.md, "Points").
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <limits>
 #include <vector>
@@ -28,6 +29,13 @@ struct PointState {
 /// The states before a state, the newest first. Each is the previous state of the one before it.
 struct PointBaselines {
     const PointState *baseline = nullptr, *baseline2 = nullptr, *baseline3 = nullptr;
+
+    std::size_t count() const { return !baseline ? 0 : !baseline2 ? 1 : !baseline3 ? 2 : 3; }
+    /// The first `count` of them.
+    PointBaselines first(std::size_t count) const {
+        return {count > 0 ? baseline : nullptr, count > 1 ? baseline2 : nullptr,
+                count > 2 ? baseline3 : nullptr};
+    }
 };
 
 }  // namespace jostle::snapshot

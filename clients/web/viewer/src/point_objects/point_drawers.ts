@@ -5,7 +5,7 @@ import * as THREE from 'three';
 import { subdivideGrid, subdivideStrand, type PointObjectView } from '@jostle/client';
 import { PointForm } from '@jostle/client/gen/play_pb';
 import { gridNormals, gridTriangles, SurfaceGeometry } from './surface_geometry';
-import { tubeTriangles, writeTube } from './tube_geometry';
+import { ringsOf, tubeTriangles, writeTube } from './tube_geometry';
 
 export interface PointDrawer {
   readonly object: THREE.Object3D;
@@ -109,7 +109,7 @@ class StrandDrawer implements PointDrawer {
   constructor({ description, layout }: PointObjectView) {
     this.parts = layout.points > SMOOTH_POINTS_MAX ? 1 : STRAND_PARTS;
     this.radius = description.radius || STRAND_RADIUS;
-    const rings = layout.strands.map((size) => (size - 1) * this.parts + 1);
+    const rings = layout.strands.map((size) => ringsOf((size - 1) * this.parts + 1));
     this.surface = new SurfaceGeometry(STRAND_SIDES * rings.reduce((a, b) => a + b, 0), tubeTriangles(rings, STRAND_SIDES));
     this.object = mesh(this.surface, material(PointForm.STRANDS, description.color));
   }
@@ -119,10 +119,10 @@ class StrandDrawer implements PointDrawer {
     let vertex = 0;
     for (const size of layout.strands) {
       const curve = subdivideStrand(positions, this.parts, first, size);
-      const rings = curve.length / 3;
-      writeTube(curve, rings, this.radius, STRAND_SIDES, this.surface.positions, this.surface.normals, vertex);
+      const points = curve.length / 3;
+      writeTube(curve, points, this.radius, STRAND_SIDES, this.surface.positions, this.surface.normals, vertex);
       first += size;
-      vertex += rings * STRAND_SIDES;
+      vertex += ringsOf(points) * STRAND_SIDES;
     }
     this.surface.changed();
   }

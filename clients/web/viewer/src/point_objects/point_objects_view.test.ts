@@ -5,7 +5,7 @@ import { PointForm, PointObjectSchema } from '@jostle/client/gen/play_pb';
 import { create, type MessageInitShape } from '@bufbuild/protobuf';
 import { PointObjectsView } from './point_objects_view';
 import { gridNormals, gridTriangles } from './surface_geometry';
-import { tubeTriangles, writeTube } from './tube_geometry';
+import { ringsOf, tubeTriangles, writeTube } from './tube_geometry';
 
 /** An object with sampled positions, which did not come from a server. */
 function view(description: MessageInitShape<typeof PointObjectSchema>, positions: number[]): PointObjectView {
@@ -57,14 +57,17 @@ describe('point objects', () => {
   });
 
   it('of strands are tubes of their radius', () => {
-    const [rings, sides] = [3, 6];
-    const positions = new Float32Array(3 * rings * sides);
-    const normals = new Float32Array(3 * rings * sides);
-    writeTube([0, 0, 0, 1, 0, 0, 2, 0, 0], rings, 0.5, sides, positions, normals, 0);
-    for (let k = 0; k < rings * sides; k++) {
-      expect(Math.hypot(positions[3 * k + 1]!, positions[3 * k + 2]!)).toBeCloseTo(0.5, 6);
-      expect(positions[3 * k]).toBeCloseTo(Math.floor(k / sides), 6);
+    const [points, sides] = [3, 6];
+    const positions = new Float32Array(3 * ringsOf(points) * sides);
+    const normals = new Float32Array(3 * ringsOf(points) * sides);
+    writeTube([0, 0, 0, 1, 0, 0, 2, 0, 0], points, 0.5, sides, positions, normals, 0);
+    for (let k = 0; k < ringsOf(points) * sides; k++) {
+      const ring = Math.floor(k / sides);
+      expect(Math.hypot(positions[3 * k + 1]!, positions[3 * k + 2]!)).toBeCloseTo(ring === 0 || ring === 4 ? 0 : 0.5, 6);
+      expect(positions[3 * k]).toBeCloseTo([0, 0, 1, 2, 2][ring]!, 6);
     }
+    expect(normals[0]).toBe(-1);
+    expect(normals.at(-3)).toBe(1);
     expect(tubeTriangles([3, 2], sides).length).toBe(3 * 2 * sides * 3);
   });
 });

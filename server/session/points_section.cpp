@@ -110,6 +110,17 @@ std::size_t PointsSection::levels_within(const PointCache::Encoding& complete, d
     return levels;
 }
 
+// The baselines of the encoding whose size selects the levels. Limited clients have baselines of
+// their own, so an encoding with all levels for each of them would be wasted; that of a client
+// without limit is shared.
+SentStates PointsSection::estimate_from(const Candidate& candidate, const SentStates& sent) {
+    if (candidate.refines || sent.empty()) return sent;
+    SentStates typical;
+    for (std::uint32_t back = 1; back <= baselines_max && back < candidate.state->number; back++)
+        typical.push_back({candidate.state->number - back, point_levels});
+    return typical;
+}
+
 void PointsSection::send(const Candidate& candidate, double allowed_bytes, std::uint32_t tick,
                          SnapshotParts& parts) {
     const PointObjectState& state = *candidate.state;
@@ -118,19 +129,20 @@ void PointsSection::send(const Candidate& candidate, double allowed_bytes, std::
     SentStates sent = at == known_.end() ? SentStates() : at->second.sent;
     // The client replaces the refined state, so the states before it are of no use.
     if (candidate.refines) sent.resize(1);
-    PointCache::Encoding encoding = cache.encoding(state, point_levels, sent);
     std::size_t levels = point_levels;
-    if (view_ && view_->is_limited()) {
-        levels = levels_within(encoding, allowed_bytes);
+    const bool is_limited = view_ && view_->is_limited();
+    if (is_limited) {
+        levels = levels_within(cache.encoding(state, point_levels, estimate_from(candidate, sent)),
+                               allowed_bytes);
         const bool refines_nothing = candidate.refines && levels <= sent.front().levels;
         if (levels == 0 || refines_nothing) {
             // Something is sent at least while the budget is not used for anything else.
             if (!view_->point_bucket_is_full()) return;
             levels = candidate.refines ? sent.front().levels + 1 : 1;
         }
-        if (levels < point_levels) encoding = cache.encoding(state, levels, sent);
-        view_->spend_points(encoding.field->size());
     }
+    const PointCache::Encoding encoding = cache.encoding(state, levels, sent);
+    if (is_limited) view_->spend_points(encoding.field->size());
     if (at == known_.end()) parts.fields += *cache.description(*state.object);
     parts.shared_fields.push_back(encoding.field);
     Known& known = known_[state.object->id];

@@ -53,6 +53,7 @@ private:
     bool is_due(const PointObjectState& state, const Known& known, std::uint32_t tick) const;
     void send(const Candidate& candidate, double allowed_bytes, std::uint32_t tick,
               SnapshotParts& parts);
+    static SentStates estimate_from(const Candidate& candidate, const SentStates& sent);
     std::size_t levels_within(const PointCache::Encoding& complete, double bytes) const;
 
     const std::uint64_t kinds_;

@@ -82,6 +82,23 @@ TEST_F(PointsSectionTest, every_point_arrives_within_half_a_step) {
     EXPECT_EQ(player.conversation.stats().decode_errors, 0u);
 }
 
+// The rendered wave moves steadily, although states arrive every third tick.
+TEST_F(PointsSectionTest, rendered_points_move_smoothly) {
+    const auto world = host(1);
+    SessionHarness player(server, {.channels = {"points:*"}});
+    std::vector<double> heights;
+    test::play(server, *world, {&player}, 180, [&](int tick) {
+        player.draw();
+        const auto objects = player.conversation.interpolated_points();
+        if (tick < 60 || objects.empty()) return;
+        heights.push_back(objects[0].positions[Waving::columns - 1][2]);
+    });
+    ASSERT_GT(heights.size(), 100u);
+    for (std::size_t k = 2; k < heights.size(); k++)
+        EXPECT_NEAR(heights[k] - 2 * heights[k - 1] + heights[k - 2], 0, 0.012)
+            << "m per tick^2; the wave itself has 0.002";
+}
+
 TEST_F(PointsSectionTest, nothing_is_published_without_a_subscriber) {
     const auto world = host(1);
     SessionHarness other(server, {});

@@ -86,6 +86,12 @@ v1::ViewTime PlayProtocol::rendered_time() const {
     return client::rendered_time(newest_, buffer_.clock().render_time_us(), tick_us_);
 }
 
+std::vector<SmoothPoints> PlayProtocol::interpolated_points() {
+    if (newest_.frame == 0 || tick_us_ <= 0) return {};
+    const auto after_us = static_cast<double>(buffer_.clock().render_time_us() - newest_.due_us);
+    return view_.points().sample(newest_.frame + after_us / tick_us_, 1e6 / tick_us_);
+}
+
 std::uint32_t PlayProtocol::send(v1::Input input) {
     if (v1::Aim* aim = aim_of(input);
         aim && !aim->has_view_time() && options_.attach_view_time && newest_.frame != 0)

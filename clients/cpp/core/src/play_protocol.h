@@ -48,6 +48,8 @@ public:
     // World time of the last rendered frame, or of the newest frame without rendering. Tick 0:
     // none.
     v1::ViewTime rendered_time() const;
+    // At the time of the last sample of buffer().
+    std::vector<SmoothPoints> interpolated_points();
     void set_interest(const AreaOfInterest& interest);
     void request_keyframe() { keyframe_requested_ = true; }
     void leave() { leaving_ = true; }

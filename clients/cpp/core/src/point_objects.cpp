@@ -144,6 +144,13 @@ Status PointObjects::apply(const v1::Snapshot& snapshot) {
     return first;
 }
 
+std::vector<SmoothPoints> PointObjects::sample(double tick, double tick_hz) {
+    std::vector<SmoothPoints> made;
+    for (auto& [id, object] : objects_)
+        if (object.has_points()) made.push_back({id, object.sample(tick, tick_hz)});
+    return made;
+}
+
 Status PointObjects::add(const v1::PointObject& description) {
     const std::uint32_t id = description.id();
     objects_.erase(id);

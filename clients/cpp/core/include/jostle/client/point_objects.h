@@ -3,8 +3,8 @@
 // The point objects of a client's world: ropes, cloth, particles and heights (proto/WIRE.md,
 // "Points"). It is independent of the network: the caller passes the messages.
 //
-//     for (auto& [id, object] : view.points())
-//         draw(object.description(), object.sample(time.tick() + time.fraction()));
+//     for (auto& [id, object] : view.points().objects())
+//         draw(object.description(), object.sample(rendered_tick, tick_hz));
 //
 // One thread at a time.
 #pragma once
@@ -24,6 +24,12 @@ namespace jostle::client {
 
 /// m; in the frame of PointObject.entity, or in the world.
 using PointPosition = std::array<double, 3>;
+
+/// The points of one object at a rendered time.
+struct SmoothPoints {
+    std::uint32_t object = 0;  ///< PointObject.id
+    std::vector<PointPosition> positions;
+};
 
 /// One point object and its newest states.
 class PointObjectView {
@@ -70,6 +76,9 @@ public:
     Status apply(const v1::Snapshot& snapshot);
     /// Whether an object waits for a state without a baseline.
     bool needs_keyframe() const { return !broken_.empty(); }
+
+    /// Samples all objects that have points; see PointObjectView::sample().
+    std::vector<SmoothPoints> sample(double tick, double tick_hz);
 
     /// By id.
     std::map<std::uint32_t, PointObjectView>& objects() { return objects_; }

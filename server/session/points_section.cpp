@@ -80,6 +80,7 @@ void PointsSection::remove_ended(const PointObjects& objects, SnapshotParts& par
 
 void PointsSection::append(const FramePtr& frame, Clock::time_point now, SnapshotParts& parts) {
     const std::shared_ptr<const PointObjects> objects = broadcast_.points().objects(frame);
+    last_tick_ = frame->tick;
     remove_ended(*objects, parts);
     std::vector<Candidate> all = candidates(*objects, frame->tick);
     if (view_) view_->refill(now);

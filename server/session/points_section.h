@@ -27,8 +27,11 @@ public:
 
     void on_enter(FrameListeners& listeners) override { listeners.points++; }
     void on_leave(FrameListeners& listeners) override { listeners.points--; }
-    // The budget did not suffice for all objects.
-    bool has_changes(const Frame&) const override { return has_pending_; }
+    // The budget did not suffice for all objects. A snapshot for them alone is worth its head only
+    // every few ticks.
+    bool has_changes(const Frame& frame) const override {
+        return has_pending_ && frame.tick >= last_tick_ + retry_ticks;
+    }
     void append(const FramePtr& frame, Clock::time_point now, SnapshotParts& parts) override;
 
     // The client lost its state: each object is sent again.
@@ -56,10 +59,13 @@ private:
     static SentStates estimate_from(const Candidate& candidate, const SentStates& sent);
     std::size_t levels_within(const PointCache::Encoding& complete, double bytes) const;
 
+    static constexpr std::uint32_t retry_ticks = 3;
+
     const std::uint64_t kinds_;
     BroadcastCache& broadcast_;
     InterestView* const view_;
     std::map<std::uint32_t, Known> known_;  // by object
+    std::uint32_t last_tick_ = 0;           // of append()
     bool has_pending_ = false;
 };
 

@@ -67,6 +67,13 @@ PointPosition PointObjectView::position(const PointState& state, std::size_t poi
             origin.z() + spacing_z * static_cast<double>(point / columns)};
 }
 
+// A loose object has as many points as its newest state.
+std::size_t PointObjectView::points() const {
+    const std::size_t declared = history_.layout().points;
+    return declared != 0 || !has_points() ? declared
+                                          : history_.states().back().points.state.values.size() / 3;
+}
+
 std::vector<PointPosition> PointObjectView::newest() const {
     std::vector<PointPosition> positions;
     if (!has_points()) return positions;
@@ -154,8 +161,7 @@ std::vector<SmoothPoints> PointObjects::sample(double tick, double tick_hz) {
 Status PointObjects::add(const v1::PointObject& description) {
     const std::uint32_t id = description.id();
     objects_.erase(id);
-    std::size_t points = description.points();
-    for (const auto& [known, object] : objects_) points += object.description().points();
+    const std::size_t points = stored_points() + description.points();
     if (objects_.size() >= snapshot::point_objects_max || points > snapshot::world_points_max)
         return Error{ErrorCode::resource_exhausted,
                      "point object " + std::to_string(id) + ": too many objects or points"};
@@ -167,6 +173,12 @@ Status PointObjects::add(const v1::PointObject& description) {
     return {};
 }
 
+std::size_t PointObjects::stored_points() const {
+    std::size_t points = 0;
+    for (const auto& [id, object] : objects_) points += object.points();
+    return points;
+}
+
 Status PointObjects::update(const v1::PointUpdate& update) {
     const auto at = objects_.find(update.object());
     if (at == objects_.end()) {
@@ -176,12 +188,14 @@ Status PointObjects::update(const v1::PointUpdate& update) {
     const auto* bytes = reinterpret_cast<const std::byte*>(update.packed().data());
     const Status added = at->second.history_.add(update.number(), update.tick(), update.back(),
                                                  {bytes, update.packed().size()}, update.crc());
-    if (added.ok()) {
+    if (added.ok() && stored_points() <= snapshot::world_points_max) {
         broken_.erase(update.object());
         return {};
     }
     broken_.insert(update.object());
-    return bad_object(update.object(), added.error().message);
+    if (!added.ok()) return bad_object(update.object(), added.error().message);
+    objects_.erase(at);
+    return bad_object(update.object(), "the objects have too many points");
 }
 
 }  // namespace jostle::client

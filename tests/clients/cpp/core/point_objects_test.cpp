@@ -116,6 +116,19 @@ TEST(PointObjects, end_and_are_limited) {
     ASSERT_FALSE(applied.ok());
     EXPECT_THAT(applied.error().message, HasSubstr("too many objects or points"));
     EXPECT_EQ(objects.objects().size(), 2u);
+    v1::Snapshot loose;
+    loose.add_point_objects()->set_id(20);
+    loose.mutable_point_objects(0)->set_form(v1::POINT_FORM_LOOSE);
+    loose.mutable_point_objects(0)->set_step_um(1000);
+    const auto packed = snapshot::encode_points({}, {}, {1, {1, 2, 3}, {snapshot::no_point}}, {});
+    v1::PointUpdate& update = *loose.add_points();
+    update.set_object(20);
+    update.set_number(1);
+    update.set_packed(packed.bytes.data(), packed.bytes.size());
+    update.set_crc(packed.crc);
+    EXPECT_THAT(objects.apply(loose).error().message, HasSubstr("too many points"))
+        << "loose points count too";
+    EXPECT_EQ(objects.objects().size(), 2u);
     v1::Snapshot bad;
     bad.add_point_objects()->set_id(20);
     EXPECT_THAT(objects.apply(bad).error().message, HasSubstr("step 0 um"));

@@ -48,6 +48,11 @@ export class PointObjectView {
     return this.history.layout;
   }
 
+  /** Number of points; 0 before the first state of loose points. */
+  get points(): number {
+    return this.layout.points || (this.history.states.at(-1)?.points.values.length ?? 0) / 3;
+  }
+
   /** Whether a state was received. */
   get hasPoints(): boolean {
     return this.history.states.length > 0;
@@ -168,6 +173,9 @@ export class PointObjects {
         const view = this.views.get(update.object);
         if (!view) throw new DecodeError(`point object ${update.object}: not described`);
         view.history.add(update);
+        if (this.storedPoints() <= WORLD_POINTS_MAX) return;
+        this.views.delete(update.object);
+        throw new DecodeError('the point objects have too many points');
       });
     return valid;
   }
@@ -177,10 +185,15 @@ export class PointObjects {
     for (const view of this.views.values()) view.sample(tick, tickHz);
   }
 
+  private storedPoints(): number {
+    let points = 0;
+    for (const view of this.views.values()) points += view.points;
+    return points;
+  }
+
   private add(object: PointObject): void {
     this.views.delete(object.id);
-    let points = object.points;
-    for (const view of this.views.values()) points += view.description.points;
+    const points = this.storedPoints() + object.points;
     if (this.views.size >= POINT_OBJECTS_MAX || points > WORLD_POINTS_MAX) throw new DecodeError(`point object ${object.id}: too many objects or points`);
     this.views.set(object.id, new PointObjectView(object, Math.max(1, this.divisors[object.kind] ?? 1)));
   }

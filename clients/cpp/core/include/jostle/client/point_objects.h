@@ -42,6 +42,8 @@ public:
     const snapshot::PointHistory& history() const { return history_; }
     /// Whether a state was received.
     bool has_points() const { return !history_.states().empty(); }
+    /// Number of points; 0 before the first state of loose points.
+    std::size_t points() const;
     /// Positions of the newest state.
     std::vector<PointPosition> newest() const;
 
@@ -87,6 +89,7 @@ public:
 private:
     Status add(const v1::PointObject& description);
     Status update(const v1::PointUpdate& update);
+    std::size_t stored_points() const;
 
     std::vector<v1::ChannelKind> kinds_;
     std::map<std::uint32_t, PointObjectView> objects_;

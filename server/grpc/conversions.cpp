@@ -193,10 +193,10 @@ grpc::ByteBuffer to_byte_buffer(const OutMessage& message) {
     }
     if (message.shared && !message.shared->empty()) slices[count++] = share(message.shared);
     ASSERT(count <= slices.size());
-    if (message.cells.empty()) return grpc::ByteBuffer(slices.data(), count);
+    if (message.shared_fields.empty()) return grpc::ByteBuffer(slices.data(), count);
     std::vector<grpc::Slice> all(slices.begin(),
                                  slices.begin() + static_cast<std::ptrdiff_t>(count));
-    for (const SharedBytes& cell : message.cells) all.push_back(share(cell));
+    for (const SharedBytes& field : message.shared_fields) all.push_back(share(field));
     return grpc::ByteBuffer(all.data(), all.size());
 }
 

@@ -172,9 +172,10 @@ void WebSocketSession::write() {
     };
     std::array<const_buffer, 2> pieces{boost::asio::buffer(outgoing_.header), const_buffer{}};
     if (outgoing_.shared) pieces[1] = boost::asio::buffer(*outgoing_.shared);
-    if (outgoing_.cells.empty()) return socket_->async_write(pieces, wrote);
+    if (outgoing_.shared_fields.empty()) return socket_->async_write(pieces, wrote);
     std::vector<const_buffer> all(pieces.begin(), pieces.end());
-    for (const SharedBytes& cell : outgoing_.cells) all.push_back(boost::asio::buffer(*cell));
+    for (const SharedBytes& field : outgoing_.shared_fields)
+        all.push_back(boost::asio::buffer(*field));
     socket_->async_write(all, wrote);
 }
 

@@ -14,19 +14,19 @@
 namespace jostle::server {
 
 struct OutMessage {
-    std::string header;                // first
-    SharedBytes shared;                // second; null: nothing
-    std::vector<SharedBytes> cells{};  // last; none of them null
+    std::string header;                        // first
+    SharedBytes shared;                        // second; null: nothing
+    std::vector<SharedBytes> shared_fields{};  // last; none of them null
 
     std::size_t size() const {
         std::size_t bytes = header.size() + (shared ? shared->size() : 0);
-        for (const SharedBytes& cell : cells) bytes += cell->size();
+        for (const SharedBytes& field : shared_fields) bytes += field->size();
         return bytes;
     }
     // For transports that need one contiguous buffer.
     std::string concatenated() const {
         std::string bytes = header + (shared ? *shared : "");
-        for (const SharedBytes& cell : cells) bytes += *cell;
+        for (const SharedBytes& field : shared_fields) bytes += *field;
         return bytes;
     }
 };

@@ -48,12 +48,26 @@ v1::ChannelForm to_message(physics::ChannelForm form) {
             return v1::CHANNEL_FORM_PARAMS;
         case physics::ChannelForm::points:
             return v1::CHANNEL_FORM_POINTS;
-        case physics::ChannelForm::field:
-            return v1::CHANNEL_FORM_FIELD;
         case physics::ChannelForm::seed:
             return v1::CHANNEL_FORM_SEED;
     }
     return v1::CHANNEL_FORM_UNSPECIFIED;
+}
+
+v1::PointForm to_message(physics::PointForm form) {
+    switch (form) {
+        case physics::PointForm::loose:
+            return v1::POINT_FORM_LOOSE;
+        case physics::PointForm::strands:
+            return v1::POINT_FORM_STRANDS;
+        case physics::PointForm::grid:
+            return v1::POINT_FORM_GRID;
+        case physics::PointForm::triangles:
+            return v1::POINT_FORM_TRIANGLES;
+        case physics::PointForm::heights:
+            return v1::POINT_FORM_HEIGHTS;
+    }
+    return v1::POINT_FORM_UNSPECIFIED;
 }
 
 }  // namespace
@@ -187,6 +201,51 @@ std::string encode_cell_field(const EncodedCell& from) {
 std::string encode_cells_left_field(std::span<const CellId> cells) {
     v1::Snapshot fields;
     fields.mutable_cells_left()->Add(cells.begin(), cells.end());
+    return fields.SerializeAsString();
+}
+
+std::string encode_point_object_field(const PointObjectDescription& from) {
+    v1::Snapshot fields;
+    v1::PointObject& object = *fields.add_point_objects();
+    object.set_id(from.id);
+    object.set_kind(from.kind);
+    object.set_key(from.key);
+    object.set_entity(from.entity);
+    object.set_form(to_message(from.form));
+    object.set_step_um(from.step_um);
+    object.set_points(from.points);
+    object.set_columns(from.columns);
+    object.mutable_strands()->Add(from.strands.begin(), from.strands.end());
+    std::int32_t before = 0;
+    for (const std::uint32_t corner : from.triangles) {
+        object.add_triangles(static_cast<std::int32_t>(corner) - before);
+        before = static_cast<std::int32_t>(corner);
+    }
+    object.set_radius(static_cast<float>(from.radius));
+    if (from.color) object.set_color(*from.color);
+    if (from.form == physics::PointForm::heights) {
+        write_vector(*object.mutable_origin(), from.origin);
+        object.set_spacing_x(static_cast<float>(from.spacing_x));
+        object.set_spacing_z(static_cast<float>(from.spacing_z));
+    }
+    return fields.SerializeAsString();
+}
+
+std::string encode_points_field(const EncodedPoints& from) {
+    v1::Snapshot fields;
+    v1::PointUpdate& points = *fields.add_points();
+    points.set_object(from.object);
+    points.set_number(from.number);
+    points.set_back(from.back);
+    points.set_tick(from.tick);
+    points.set_packed(from.packed.bytes.data(), from.packed.bytes.size());
+    points.set_crc(from.packed.crc);
+    return fields.SerializeAsString();
+}
+
+std::string encode_points_ended_field(std::span<const std::uint32_t> objects) {
+    v1::Snapshot fields;
+    fields.mutable_points_ended()->Add(objects.begin(), objects.end());
     return fields.SerializeAsString();
 }
 

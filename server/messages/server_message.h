@@ -12,6 +12,7 @@
 
 #include "jostle/datagram/packet.h"
 #include "server/replication/cell_snapshot_cache.h"
+#include "server/replication/point_cache.h"
 #include "server/replication/snapshot_cache.h"
 #include "server/world/command.h"
 #include "server/world/frame.h"
@@ -79,6 +80,10 @@ std::string encode_shared_snapshot(const EncodedSnapshot& snapshot);
 // A field of jostle.v1.Snapshot shared by all clients that see the cell.
 std::string encode_cell_field(const EncodedCell& cell);
 std::string encode_cells_left_field(std::span<const CellId> cells);
+// Fields of jostle.v1.Snapshot for point objects.
+std::string encode_point_object_field(const PointObjectDescription& object);
+std::string encode_points_field(const EncodedPoints& points);
+std::string encode_points_ended_field(std::span<const std::uint32_t> objects);
 // The start of the message: the tag and length of the snapshot in its ServerMessage, then the
 // client's own field and `more` fields.
 std::string encode_snapshot_header(const ClientUpdate& own, std::string_view more,

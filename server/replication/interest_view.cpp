@@ -11,6 +11,7 @@ namespace {
 
 constexpr double bucket_s = 0.05;      // seconds of the rate that the bucket holds
 constexpr double fresh_share = 0.5;    // of the rate
+constexpr double points_share = 0.5;   // of the rate
 constexpr double leave_share = 0.25;   // in cells: how far beyond the radius a cell is left
 constexpr double first_of_all = 1e12;  // rank of new cells, as long as their quota lasts
 // Without a budget, new cells are still sent in pieces, with updates in between.
@@ -30,6 +31,28 @@ void InterestView::refill(Clock::time_point now) {
     const double fresh_rate = rate_ == 0 ? fresh_bytes_per_second : fresh_share * rate_;
     tokens_ = std::min(capacity(rate_), tokens_ + rate_ * seconds);
     fresh_tokens_ = std::min(capacity(fresh_rate), fresh_tokens_ + fresh_rate * seconds);
+    const double point_rate = points_wait_ ? points_share * rate_ : 0;
+    point_tokens_ = std::min(capacity(point_rate), point_tokens_ + point_rate * seconds);
+}
+
+double InterestView::point_tokens() const {
+    if (rate_ == 0) return std::numeric_limits<double>::infinity();
+    return cells_wait_ ? point_tokens_ : tokens_;
+}
+
+bool InterestView::point_bucket_is_full() const {
+    return point_tokens() >= capacity(cells_wait_ ? points_share * rate_ : rate_);
+}
+
+void InterestView::spend_points(std::size_t bytes) {
+    tokens_ -= static_cast<double>(bytes);
+    point_tokens_ -= static_cast<double>(bytes);
+    // What cells did not need is no debt.
+    if (!cells_wait_) point_tokens_ = std::max(0.0, point_tokens_);
+}
+
+bool InterestView::leaves(double distance_m) const {
+    return distance_m > interest_.radius_m * (1 + leave_share);
 }
 
 // A piece larger than the bucket is sent when the bucket is full.
@@ -39,7 +62,9 @@ bool InterestView::affords(std::size_t bytes, bool fresh) const {
     };
     if (fresh && !within(fresh_tokens_, rate_ == 0 ? fresh_bytes_per_second : fresh_share * rate_))
         return false;
-    return rate_ == 0 || within(tokens_, rate_);
+    if (rate_ == 0) return true;
+    if (!points_wait_) return within(tokens_, rate_);
+    return within(tokens_ - point_tokens_, (1 - points_share) * rate_);
 }
 
 void InterestView::spend(std::size_t bytes, bool fresh) {

@@ -5,7 +5,8 @@
 // cells beyond three quarters with every fourth. Cells that waited longest and are nearest come
 // first, within the client's budget: a token bucket of bytes that holds one twentieth of a second,
 // so that no second exceeds the rate by more than a twentieth. New cells have a quota of their own,
-// half of the rate, so that entering a crowded area does not stop updates of moving entities.
+// half of the rate, so that entering a crowded area does not stop updates of moving entities. While
+// point objects wait (points_section.h), cells leave them half of the rate.
 //
 // Threads: one thread at a time.
 #pragma once
@@ -49,9 +50,27 @@ public:
     std::vector<PendingCell> pending_cells(const CellSnapshotCache& cache,
                                            const std::vector<CellState>& cells, std::uint32_t tick,
                                            Clock::time_point now);
-    // Whether `bytes` may be sent now.
+    // Adds the tokens since the last call. pending_cells() calls it too.
+    void refill(Clock::time_point now);
+    // Whether `bytes` of cells or entities may be sent now.
     bool affords(std::size_t bytes, bool fresh) const;
     void spend(std::size_t bytes, bool fresh);
+
+    // --- point objects, which share the budget with cells ---
+    // Whether cells or point objects are waiting. If both are, each has half of the rate.
+    void set_points_waiting(bool points) { points_wait_ = points; }
+    void set_cells_waiting(bool cells) { cells_wait_ = cells; }
+    bool is_limited() const { return rate_ != 0; }
+    // Bytes of point objects that may be sent now; negative after a large piece.
+    double point_tokens() const;
+    // A piece larger than the bucket is sent when the bucket is full.
+    bool point_bucket_is_full() const;
+    void spend_points(std::size_t bytes);
+    // Snapshots from one update to the next at a distance.
+    std::uint32_t interval(double distance_m) const;
+    // Whether an object at this distance has left the area of interest.
+    bool leaves(double distance_m) const;
+
     void on_sent(const PendingCell& part, std::uint32_t tick);
     // Cells that the client must remove: they left its area of interest since the last call.
     std::vector<CellId> take_left() { return std::exchange(left_, {}); }
@@ -64,11 +83,10 @@ private:
         std::uint32_t sent_tick = 0;
         std::uint32_t members = 0;  // CellState::members when last sent
     };
-    void refill(Clock::time_point now);
-    std::uint32_t interval(double distance_m) const;
-
     const double rate_;  // bytes per second
     double tokens_ = 0, fresh_tokens_ = 0;
+    double point_tokens_ = 0;  // the part of the tokens that is for point objects
+    bool points_wait_ = false, cells_wait_ = false;
     Clock::time_point refilled_{};
     Interest interest_;
     std::map<CellId, Known> known_;

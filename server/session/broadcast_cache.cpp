@@ -23,7 +23,8 @@ SharedBytes share(std::string bytes) {
 BroadcastCache::BroadcastCache(std::shared_ptr<WorldHost> host, double interest_cell_m)
     : host_(std::move(host)),
       snapshots_(snapshot::QuantSpec{}, encode_shared_snapshot),
-      cells_(interest_cell_m, snapshot::QuantSpec{}, encode_cell_field) {
+      cells_(interest_cell_m, snapshot::QuantSpec{}, encode_cell_field),
+      points_(encode_points_field, encode_point_object_field) {
     ASSERT(host_ != nullptr);
 }
 

@@ -14,6 +14,7 @@
 
 #include "server/messages/entity_update_message.h"
 #include "server/replication/cell_snapshot_cache.h"
+#include "server/replication/point_cache.h"
 #include "server/replication/snapshot_cache.h"
 #include "server/world/world_host.h"
 
@@ -26,6 +27,7 @@ public:
     WorldHost& host() const { return *host_; }
     SnapshotCache& snapshots() { return snapshots_; }
     CellSnapshotCache& cells() { return cells_; }
+    PointCache& points() { return points_; }
     // The cells of a frame, or of a newer one.
     CellSnapshotCache::Cells cells_of(const FramePtr& frame);
 
@@ -50,6 +52,7 @@ private:
     const std::shared_ptr<WorldHost> host_;
     SnapshotCache snapshots_;
     CellSnapshotCache cells_;
+    PointCache points_;
     std::mutex mutex_;
     GeometryTable geometry_;
     std::vector<EntityListChange> entity_list_changes_;  // oldest first

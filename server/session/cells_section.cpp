@@ -45,8 +45,9 @@ void CellsSection::append(const FramePtr& frame, Clock::time_point now, Snapshot
         }
         view_.spend(bytes->size(), part.fresh);
         view_.on_sent(part, frame->tick);
-        parts.cells.push_back(std::move(bytes));
+        parts.shared_fields.push_back(std::move(bytes));
     }
+    view_.set_cells_waiting(has_pending_);
     const std::vector<CellId> left = view_.take_left();
     if (!left.empty()) parts.fields += encode_cells_left_field(left);
 }

@@ -27,6 +27,8 @@ public:
     void on_sent(const OutMessage& snapshot) override;
 
     void set_interest(const Interest& interest) { view_.set_interest(interest); }
+    // Point objects share it.
+    InterestView& view() { return view_; }
     // The client lost its state: each of its cells is sent as a keyframe.
     void reset() { view_.reset(); }
 

@@ -41,7 +41,7 @@ bool DatagramSession::fits(std::size_t bytes, Clock::time_point now) {
 
 void DatagramSession::send(const OutMessage& snapshot, std::uint32_t frame, Clock::time_point now) {
     ASSERT(frame > last_sent_);
-    ASSERT(snapshot.cells.empty());
+    ASSERT(snapshot.shared_fields.empty());
     const std::string_view shared = snapshot.shared ? *snapshot.shared : std::string_view();
     const std::array pieces{std::string_view(snapshot.header), shared};
     connection_->send(pieces, now);

@@ -18,13 +18,21 @@ std::uint64_t requested_channels(const std::vector<physics::ChannelKind>& kinds,
     std::uint64_t requested = 0;
     for (std::size_t k = 0; k < kinds.size(); k++)
         for (const std::string& name : names)
-            if (name == kinds[k].name || (name == "*" && kinds[k].name != motion_kind))
+            if (name == kinds[k].name || (name == "*" && kinds[k].name != motion_kind) ||
+                (name == "points:*" && kinds[k].form == physics::ChannelForm::points))
                 requested |= std::uint64_t{1} << k;
     return requested;
 }
 
 std::uint64_t motion_channel(const std::vector<physics::ChannelKind>& kinds) {
     return requested_channels(kinds, {motion_kind});
+}
+
+std::uint64_t point_channels(const std::vector<physics::ChannelKind>& kinds) {
+    std::uint64_t bits = 0;
+    for (std::size_t k = 0; k < kinds.size(); k++)
+        if (kinds[k].form == physics::ChannelForm::points) bits |= std::uint64_t{1} << k;
+    return bits;
 }
 
 ChannelsSection::ChannelsSection(std::uint64_t kinds, std::uint64_t motion)

@@ -41,11 +41,14 @@ private:
     Clock::time_point last_sent_{};
 };
 
-// One bit per kind that `names` contains. "*" names every kind except jostle.motion.
+// One bit per kind that `names` contains. "*" names every kind except jostle.motion, "points:*"
+// every kind with point objects.
 std::uint64_t requested_channels(const std::vector<physics::ChannelKind>& kinds,
                                  const std::vector<std::string>& names);
 // The bit of jostle.motion; 0: the world has no such kind.
 std::uint64_t motion_channel(const std::vector<physics::ChannelKind>& kinds);
+// The bits of kinds with point objects.
+std::uint64_t point_channels(const std::vector<physics::ChannelKind>& kinds);
 
 // The channel kinds that a client requested, which select the channels in the shared part of its
 // snapshots.

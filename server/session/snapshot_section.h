@@ -22,7 +22,7 @@ struct SnapshotParts {
     std::string fields{};             // encoded fields of jostle.v1.Snapshot, for this client alone
     std::uint64_t channel_kinds = 0;  // one bit per channel kind of the shared part
     bool has_poses = true;            // false: cells replace the poses of the shared part
-    std::vector<SharedBytes> cells{};
+    std::vector<SharedBytes> shared_fields{};  // of jostle.v1.Snapshot, shared with other clients
 };
 
 class SnapshotSection {

@@ -27,6 +27,9 @@ SnapshotSections::SnapshotSections(const Sources& sources, const Hello& hello)
     // The motion channel covers all bodies, but a client with cells receives some of them only.
     if (cells_) kinds &= ~motion;
     if (kinds != 0) channels_ = add<ChannelsSection>(kinds, motion);
+    // After the cells, which leave it a part of the budget.
+    if (const std::uint64_t points = kinds & point_channels(host.properties().channel_kinds))
+        points_ = add<PointsSection>(points, sources.broadcast, cells_ ? &cells_->view() : nullptr);
     add<StatsSection>(sources.context.config.stream, sources.context.sessions, sources.broadcast);
     if (hello.events) events_ = add<EventsSection>(sources.broadcast);
     if (predicts) add<ControlledEntitySection>(sources.client, host.hz());

@@ -14,6 +14,7 @@
 #include "server/session/input_intake.h"
 #include "server/session/optional_sections.h"
 #include "server/session/play_context.h"
+#include "server/session/points_section.h"
 #include "server/session/snapshot_schedule.h"
 #include "server/session/snapshot_section.h"
 
@@ -44,6 +45,7 @@ public:
     ClientUpdateSection& client_update() { return client_update_; }
     EventsSection* events() { return events_; }  // null: not requested
     CellsSection* cells() { return cells_; }     // null: not requested
+    PointsSection* points() { return points_; }  // null: not requested
     const CellsSection* cells() const { return cells_; }
     std::uint64_t channel_kinds() const { return channels_ ? channels_->kinds() : 0; }
 
@@ -55,6 +57,7 @@ private:
     std::vector<std::unique_ptr<SnapshotSection>> optional_;  // in order, without client_update_
     ClientUpdateSection client_update_;                       // last
     CellsSection* cells_ = nullptr;
+    PointsSection* points_ = nullptr;
     ChannelsSection* channels_ = nullptr;
     EventsSection* events_ = nullptr;
 };

@@ -109,9 +109,9 @@ OutMessage SnapshotStream::make_snapshot(const FramePtr& frame, Clock::time_poin
         frame, baselines_.baselines_for(frame->tick), parts.channel_kinds,
         parts.has_poses ? std::optional(codec_) : std::nullopt);
     std::size_t shared_bytes = shared->size();
-    for (const SharedBytes& cell : parts.cells) shared_bytes += cell->size();
+    for (const SharedBytes& field : parts.shared_fields) shared_bytes += field->size();
     OutMessage message{encode_snapshot_header(parts.update, parts.fields, shared_bytes),
-                       std::move(shared), std::move(parts.cells)};
+                       std::move(shared), std::move(parts.shared_fields)};
     on_results_sent(frame->tick);
     baselines_.on_sent(frame->tick);
     if (datagrams_) datagrams_->on_sent_by_stream(frame->tick);
@@ -125,10 +125,13 @@ OutMessage SnapshotStream::make_snapshot(const FramePtr& frame, Clock::time_poin
 std::optional<OutMessage> SnapshotStream::make_reply(const FramePtr& frame, Clock::time_point now) {
     SnapshotParts parts;
     sections_.append_optional(frame, now, parts);
-    ASSERT(parts.cells.empty());
-    if (parts.fields.empty() && parts_.inputs.results().empty()) return std::nullopt;
+    if (parts.fields.empty() && parts.shared_fields.empty() && parts_.inputs.results().empty())
+        return std::nullopt;
     sections_.client_update().append(frame, now, parts);
-    OutMessage message{encode_snapshot_header(parts.update, parts.fields, 0), nullptr};
+    std::size_t shared_bytes = 0;
+    for (const SharedBytes& field : parts.shared_fields) shared_bytes += field->size();
+    OutMessage message{encode_snapshot_header(parts.update, parts.fields, shared_bytes), nullptr,
+                       std::move(parts.shared_fields)};
     on_results_sent(frame->tick);
     return message;
 }
@@ -151,6 +154,7 @@ void SnapshotStream::on_ack(const Ack& ack, Clock::time_point now) {
     baselines_.reset();
     if (datagrams_) datagrams_->frames().reset();
     if (sections_.cells()) sections_.cells()->reset();
+    if (sections_.points()) sections_.points()->reset();
 }
 
 Status SnapshotStream::set_interest(const Interest& interest) {

@@ -2,7 +2,7 @@
 //
 // Assembles the snapshots of one client from the frames of its world. A change of the entity list
 // is sent before the first snapshot that needs it. While snapshots go by datagram, the stream
-// carries replies: snapshots without the state of the world, with the data that must not be lost.
+// carries replies: snapshots without poses and channels, with the data that must not be lost.
 // Used on the session's thread.
 #pragma once
 

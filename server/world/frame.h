@@ -57,8 +57,8 @@ struct Frame {
     // the total time of skipped ticks.
     std::int64_t late_us = 0;
     PoseList entities;  // same order as entity_list
-    // The newest tick, this one included, that changed a pose, an awake flag, the entity list or a
-    // channel; and that value as of the previous frame.
+    // The newest tick, this one included, that changed a pose, an awake flag, the entity list, a
+    // channel or a point object; and that value as of the previous frame.
     std::uint32_t changed_at = 0, previous_changed_at = 0;
     std::shared_ptr<const EntityList> entity_list;
     // Never null; empty unless a client subscribed to events.
@@ -66,6 +66,9 @@ struct Frame {
     // The channels of modules; null: none. A channel that did not change shares its values with the
     // previous frame.
     std::shared_ptr<const Channels> channels;
+    // Point objects of modules, while a client subscribes to them; null: none. An object that did
+    // not change shares its state with the previous frame.
+    std::shared_ptr<const PointObjects> points;
     // Of this tick, while a client predicts; null: no entity is controlled.
     std::shared_ptr<const std::vector<ControlledEntityState>> controlled_entities;
     int awake = 0, contacts = 0;

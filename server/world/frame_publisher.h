@@ -21,6 +21,7 @@ struct FrameListeners {
     std::atomic<int> streams{0};  // past frames are retained (FrameRing)
     std::atomic<int> events{0};
     std::atomic<int> motion{0};  // velocities of bodies (module_channels.h)
+    std::atomic<int> points{0};  // point objects of modules
     std::atomic<int> controlled_entities{0};
 };
 

@@ -271,11 +271,13 @@ void HostedWorld::copy_into(Frame& frame) {
     frame.entity_list = entity_list_ = state_.entities.list();
     ASSERT(frame.entities.size() == frame.entity_list->size());
     frame.previous_changed_at = changed_at_;
-    if (moved || list_changed || published_channels_ != channels_.channels())
+    if (moved || list_changed || published_channels_ != channels_.channels() ||
+        published_points_ != channels_.points())
         changed_at_ = frame.tick;
     frame.changed_at = changed_at_;
     ASSERT(frame.previous_changed_at <= frame.changed_at && frame.changed_at <= frame.tick);
     frame.channels = published_channels_ = channels_.channels();
+    frame.points = published_points_ = channels_.points();
     if (publishes_controlled_entities_) {
         auto controlled_entities = state_.controllers.controlled_states(
             state_.world, [this](BodyId body) { return state_.entities.find_living(body); });

@@ -70,6 +70,8 @@ public:
     Status step(double dt, std::uint32_t tick = 1);
     // Whether frames carry the velocities of bodies (module_channels.h).
     void publish_motion(bool wanted) { channels_.publish_motion(wanted); }
+    // Whether frames carry point objects.
+    void publish_points(bool wanted) { channels_.publish_points(wanted); }
     // Whether frames carry the states of controlled entities.
     void publish_controlled_entities(bool wanted) { publishes_controlled_entities_ = wanted; }
     // Any thread: physics::World::stop_stepping().
@@ -133,6 +135,7 @@ private:
     std::uint64_t static_revision_ = 0;
     std::shared_ptr<const EntityList> entity_list_;
     std::shared_ptr<const Channels> published_channels_;
+    std::shared_ptr<const PointObjects> published_points_;
     std::uint32_t changed_at_ = 0;
 };
 

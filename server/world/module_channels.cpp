@@ -85,6 +85,7 @@ void ModuleChannels::publish(const physics::World& world, std::uint32_t tick,
     ASSERT(!next_);
     next_ = std::make_shared<Channels>();
     next_values_ = 0;
+    points_.begin(tick);
     for (const ModuleKinds& module : modules_) {
         const std::vector<bool> now = due(module, tick);
         // Between its ticks a kind keeps its last values, even those of entities removed since.
@@ -92,14 +93,12 @@ void ModuleChannels::publish(const physics::World& world, std::uint32_t tick,
             if (channel.kind >= module.first && channel.kind < module.first + module.count &&
                 !now[channel.kind - module.first])
                 add(channel);
+        for (std::uint32_t k = 0; publishes_points_ && k < module.count; k++)
+            if (!now[k]) points_.keep(module.first + k);
         if (std::none_of(now.begin(), now.end(), [](bool due) { return due; })) continue;
-        physics::ChannelWriter writer(name_of, now);
-        world.module(module.tag)->publish(world, writer);
-        for (auto& written : writer.channels())
-            if (written.kind < module.count)
-                add({module.first + written.kind, written.entity,
-                     std::make_shared<const std::vector<std::int32_t>>(std::move(written.values))});
+        publish_module(world, module, now, name_of);
     }
+    points_.end();
     if (publishes_motion_ && motion_) add_motion(world, name_of);
     std::stable_sort(next_->begin(), next_->end(), comes_before);
     const auto same = [](const Channel& a, const Channel& b) {
@@ -112,6 +111,26 @@ void ModuleChannels::publish(const physics::World& world, std::uint32_t tick,
     };
     if (!std::ranges::equal(*next_, *channels_, is_unchanged)) channels_ = std::move(next_);
     next_ = nullptr;
+}
+
+void ModuleChannels::publish_module(const physics::World& world, const ModuleKinds& module,
+                                    const std::vector<bool>& due,
+                                    const physics::ChannelWriter::NameOf& name_of) {
+    physics::ChannelWriter::OnPoints on_points;
+    if (publishes_points_)
+        on_points = [&](std::uint32_t kind, EntityId entity, const physics::PointObject& object) {
+            if (kind >= module.count) return;
+            const Status added = points_.add(world, module.first + kind, entity, object);
+            if (!added.ok() && warned_.insert(module.first + kind).second)
+                newly_oversized_.push_back(
+                    {kinds_[module.first + kind].name, 0, added.error().message});
+        };
+    physics::ChannelWriter writer(name_of, due, std::move(on_points));
+    world.module(module.tag)->publish(world, writer);
+    for (auto& written : writer.channels())
+        if (written.kind < module.count)
+            add({module.first + written.kind, written.entity,
+                 std::make_shared<const std::vector<std::int32_t>>(std::move(written.values))});
 }
 
 void ModuleChannels::add_motion(const physics::World& world,

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The channels that the modules of a world publish per tick, and the velocities of its bodies while
-// a client subscribes to them. An unchanged channel keeps its values pointer, so that comparing
-// frames means comparing pointers. Owned by HostedWorld; one thread.
+// The channels and point objects that the modules of a world publish per tick, and the velocities
+// of its bodies while a client subscribes to them. An unchanged channel keeps its values pointer,
+// so that comparing frames means comparing pointers. Owned by HostedWorld; one thread.
 #pragma once
 
 #include <cstddef>
@@ -17,6 +17,7 @@
 #include "jostle/physics/module.h"
 #include "jostle/physics/world.h"
 #include "server/world/command.h"
+#include "server/world/point_objects.h"
 
 namespace jostle::server {
 
@@ -52,16 +53,21 @@ public:
     const std::vector<physics::ChannelKind>& kinds() const { return kinds_; }
     // Whether publish() includes `jostle.motion`.
     void publish_motion(bool wanted) { publishes_motion_ = wanted; }
+    // Whether publish() includes point objects.
+    void publish_points(bool wanted) { publishes_points_ = wanted; }
     // After a step: publishes the kinds of each module that are due. Skips oversized channels.
     void publish(const physics::World& world, std::uint32_t tick,
                  const physics::ChannelWriter::NameOf& name_of);
     // Never null.
     const std::shared_ptr<const Channels>& channels() const { return channels_; }
+    // Never null.
+    const std::shared_ptr<const PointObjects>& points() const { return points_.objects(); }
 
+    // A channel or a point object (its entity is then 0).
     struct OversizedChannel {
         std::string kind;
         EntityId entity = 0;
-        std::string reason;  // the size and the limit
+        std::string reason;
     };
     // The channels that the last publish() skipped, each kind reported once.
     const std::vector<OversizedChannel>& newly_oversized() const { return newly_oversized_; }
@@ -75,6 +81,9 @@ private:
     // For each kind of the module, whether it is published in this tick.
     std::vector<bool> due(const ModuleKinds& module, std::uint32_t tick) const;
     void add_motion(const physics::World& world, const physics::ChannelWriter::NameOf& name_of);
+    void publish_module(const physics::World& world, const ModuleKinds& module,
+                        const std::vector<bool>& due,
+                        const physics::ChannelWriter::NameOf& name_of);
     // Reuses the previous values if they are equal.
     void add(Channel channel);
     void skip_oversized(const Channel& channel, std::size_t size, std::size_t max,
@@ -83,7 +92,8 @@ private:
     std::vector<physics::ChannelKind> kinds_;
     std::vector<ModuleKinds> modules_;
     std::optional<std::uint32_t> motion_;  // the kind of `jostle.motion`
-    bool publishes_motion_ = false;
+    bool publishes_motion_ = false, publishes_points_ = false;
+    PointObjectPublisher points_;
     std::vector<physics::BodyState> bodies_;  // reused by add_motion()
     std::shared_ptr<const Channels> channels_ = std::make_shared<const Channels>();
     std::shared_ptr<Channels> next_;

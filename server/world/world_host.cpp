@@ -326,6 +326,7 @@ void WorldHost::put_result(const Command& command, InputResult result, Clock::ti
 bool WorldHost::step(bool allowed) {
     const FrameListeners& listeners = publisher_.listeners();
     world_.publish_motion(listeners.motion.load() > 0);
+    world_.publish_points(listeners.points.load() > 0);
     world_.publish_controlled_entities(listeners.controlled_entities.load() > 0);
     world_.resume_stepping();
     // interrupt_overloaded() pauses before it stops the step, so resuming here just after it still
@@ -335,7 +336,7 @@ bool WorldHost::step(bool allowed) {
         (ends ? step_aborted_ : step_interrupted_) = true;
         return false;
     }
-    if (const auto stepped = world_.step(1 / properties_.hz, tick_ + 1); stepped.ok()) {
+    if (const auto stepped = world_.step(1 / properties_.hz, tick_); stepped.ok()) {
         publisher_.record_events(listeners.events.load() > 0 ? world_.events_of_step(tick_)
                                                              : std::nullopt);
         log_step_warnings();

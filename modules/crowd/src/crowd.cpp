@@ -279,12 +279,20 @@ void Crowd::publish(const World&, ChannelWriter& channels) const {
         channels.value(static_cast<std::int32_t>(now.panicked));
         channels.value(static_cast<std::int32_t>(now.left & 0x7fffffff));
     }
+    if (!channels.wants_points(1)) return;
     std::vector<Vec3> points;
+    std::vector<std::uint32_t> ids;
+    double radius = 0;
     for (std::size_t k = 0; k < store_->agents.size(); k++)
         if (const AgentRecord& record = store_->agents.record[k];
-            record.alive && record.carrier == Carrier::none)
+            record.alive && record.carrier == Carrier::none) {
             points.push_back(store_->agents.position[k]);
-    if (!points.empty() && channels.begin(1)) channels.points(100, points);
+            // Another agent may have had this index before.
+            ids.push_back(record.generation << 18 ^ static_cast<std::uint32_t>(k));
+            if (points.size() == 1) radius = store_->agents.radius[k];
+        }
+    if (!points.empty())
+        channels.points(1, {.step = 0.01, .radius = radius, .positions = points, .ids = ids});
 }
 
 }  // namespace jostle::modules

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
 // Particles in scenes and for clients: reads settings and publishes channels.
+#include <algorithm>
 #include <string>
 
 #include "jostle/modules/cosmetic_particles.h"
 #include "jostle/modules/particles.h"
 #include "jostle/modules/settings.h"
+#include "jostle/physics/scalar.h"
 #include "modules/particles/src/particle_fields.h"
 
 namespace jostle::modules {
@@ -122,35 +124,26 @@ Status Particles::configure(World& world, const ModuleSettings& settings) {
 }
 
 std::vector<ChannelKind> Particles::channels() const {
-    return {{"", ChannelForm::points, points_divisor},
-            {"groups", ChannelForm::params, points_divisor},
-            {"cosmetic", ChannelForm::seed, 60}};
+    return {{"", ChannelForm::points, points_divisor}, {"cosmetic", ChannelForm::seed, 60}};
 }
 
 void Particles::publish(const World& world, ChannelWriter& channels) const {
-    std::vector<Vec3> points;
-    std::vector<std::size_t> counts;
     std::vector<const ParticleGroupDef*> cosmetic;
-    for (const Entry& entry : entries_) {
-        if (entry.group.def().cosmetic) cosmetic.push_back(&entry.group.def());
-        const auto positions = entry.group.positions();
-        counts.push_back(std::min(positions.size(), published_max - points.size()));
-        points.insert(points.end(), positions.begin(),
-                      positions.begin() + static_cast<std::ptrdiff_t>(counts.back()));
+    for (const auto& [key, group] : entries_) {
+        const ParticleGroupDef& def = group.def();
+        if (def.cosmetic) {
+            cosmetic.push_back(&def);
+            continue;
+        }
+        const std::size_t count = std::min(group.positions().size(), PointObject::points_max);
+        channels.points(0, {.key = key.number,
+                            .step = clamp(def.radius / 4, published_step_min, published_step_max),
+                            .radius = def.radius,
+                            .color = def.color,
+                            .positions = group.positions().first(count),
+                            .ids = group.ids().first(count)});
     }
-    if (cosmetic.size() < entries_.size()) {
-        if (channels.begin(0)) channels.points(1000, points);
-        if (channels.begin(1))
-            for (std::size_t k = 0; k < entries_.size(); k++) {
-                const ParticleGroupDef& def = entries_[k].group.def();
-                if (def.cosmetic) continue;
-                channels.value(static_cast<std::int32_t>(entries_[k].key.number));
-                channels.value(static_cast<std::int32_t>(counts[k]));
-                channels.f32(static_cast<float>(def.radius));
-                channels.value(static_cast<std::int32_t>(def.color));
-            }
-    }
-    if (cosmetic.empty() || !channels.begin(2)) return;
+    if (cosmetic.empty() || !channels.begin(1)) return;
     for (const std::int32_t value : encode_cosmetic(world.gravity(), cosmetic))
         channels.value(value);
 }

@@ -9,10 +9,6 @@ namespace {
 
 using Four = std::array<std::int64_t, 4>;
 
-std::int64_t scaled(std::int64_t v, std::int64_t n, std::int64_t d) {
-    return n == d ? v : divide_rounded(v * n, d);
-}
-
 std::int64_t magnitude(std::int64_t v) {
     return v < 0 ? -v : v;
 }

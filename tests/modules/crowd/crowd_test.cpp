@@ -233,11 +233,17 @@ TEST(Crowd, publishes_counts_and_points_of_agents_without_body) {
     Crowd& crowd = add_crowd(world);
     test::must(crowd.add(world, {.position = {1, 2, 3}}));
     test::must(crowd.add(world, {.body = add_person(world, {9, 0, 0})}));
-    physics::ChannelWriter writer([](physics::BodyId) { return 0u; });
+    std::vector<physics::Vec3> points;
+    physics::ChannelWriter writer(
+        [](physics::BodyId) { return 0u; }, {},
+        [&](std::uint32_t kind, std::uint32_t, const physics::PointObject& object) {
+            EXPECT_EQ(kind, 1u);
+            points.assign(object.positions.begin(), object.positions.end());
+        });
     crowd.publish(world, writer);
-    ASSERT_EQ(writer.channels().size(), 2u);
+    ASSERT_EQ(writer.channels().size(), 1u);
     EXPECT_THAT(writer.channels()[0].values, testing::ElementsAre(2, 0, 0, 0));
-    EXPECT_THAT(writer.channels()[1].values, testing::ElementsAre(100, 100, 200, 300));
+    EXPECT_THAT(points, testing::ElementsAre(physics::Vec3{1, 2, 3}));
 }
 
 }  // namespace

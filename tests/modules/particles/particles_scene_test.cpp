@@ -65,27 +65,31 @@ TEST(ParticlesScene, errors_name_the_setting) {
     EXPECT_TRUE(module.groups().empty()) << "a rejected group leaves nothing";
 }
 
-TEST(ParticlesScene, publishes_points_and_groups) {
+TEST(ParticlesScene, publishes_each_group_as_a_point_object) {
     World world = test::make_world({.gravity = {}});
-    add_group(world, {.count_max = 6000, .radius = 0.25, .color = 0x123456},
+    add_group(world, {.count_max = 6000, .radius = 0.04, .color = 0x123456},
               std::vector<ParticleStart>(3, {.position = {1, -2, 0.5}}));
     add_group(world, {.count_max = 6000}, std::vector<ParticleStart>(6000));
-    ChannelWriter channels([](BodyId) { return 1u; });
+    std::vector<std::size_t> counts;
+    ChannelWriter channels([](BodyId) { return 1u; }, {},
+                           [&](std::uint32_t kind, std::uint32_t entity, const PointObject& o) {
+                               counts.push_back(o.positions.size());
+                               EXPECT_EQ(kind, 0u);
+                               EXPECT_EQ(entity, 0u);
+                               EXPECT_EQ(o.key, counts.size());
+                               EXPECT_EQ(o.ids.size(), o.positions.size());
+                               EXPECT_EQ(o.form, PointForm::loose);
+                               if (counts.size() > 1) return;
+                               EXPECT_EQ(o.positions[2].y, -2);
+                               EXPECT_EQ(o.radius, 0.04);
+                               EXPECT_EQ(o.step, 0.01);
+                               EXPECT_EQ(o.color, 0x123456u);
+                           });
     const Particles& module = particles_of(world);
-    EXPECT_EQ(module.channels().size(), 3u);
+    EXPECT_EQ(module.channels().size(), 2u);
     module.publish(world, channels);
-    ASSERT_EQ(channels.channels().size(), 2u);
-    const auto& points = channels.channels()[0].values;
-    ASSERT_EQ(points.size(), 1 + 3 * Particles::published_max);
-    EXPECT_EQ(points[0], 1000) << "units per metre";
-    EXPECT_EQ(points[2], -2000);
-    const auto& groups = channels.channels()[1].values;
-    ASSERT_EQ(groups.size(), 8u);
-    EXPECT_EQ(groups[0], 1);
-    EXPECT_EQ(groups[1], 3);
-    EXPECT_EQ(std::bit_cast<float>(groups[2]), 0.25f);
-    EXPECT_EQ(groups[3], 0x123456);
-    EXPECT_EQ(groups[5], 4997);
+    EXPECT_EQ(counts, (std::vector<std::size_t>{3, 6000}));
+    EXPECT_TRUE(channels.channels().empty());
 }
 
 }  // namespace

@@ -3,7 +3,8 @@
 // What a module tells clients, as it is written.
 #include <gtest/gtest.h>
 
-#include <limits>
+#include <array>
+#include <vector>
 
 #include "jostle/physics/channels.h"
 
@@ -46,18 +47,21 @@ TEST(ChannelWriter, skips_channels_that_are_not_due_and_unknown_bodies) {
     EXPECT_EQ(told.channels()[0].values, std::vector<std::int32_t>{3});
 }
 
-TEST(ChannelWriter, points_and_fields_include_their_units) {
-    ChannelWriter told(known_below_ten);
-    told.begin(0);
-    const Vec3 points[] = {{1, -0.5, 0.001}, {1e30, -1e30, 0}};
-    told.points(1000, points);
-    told.begin(1);
-    const double heights[] = {0.25, 0.5, -0.25, 1, 2, 3};
-    told.field(4, 3, heights);
-    const std::int32_t most = std::numeric_limits<std::int32_t>::max();
-    EXPECT_EQ(told.channels()[0].values,
-              (std::vector<std::int32_t>{1000, 1000, -500, 1, most, -most, 0}));
-    EXPECT_EQ(told.channels()[1].values, (std::vector<std::int32_t>{3, 2, 4, 1, 2, -1, 4, 8, 12}));
+TEST(ChannelWriter, passes_point_objects_of_due_kinds_and_known_bodies) {
+    std::vector<std::array<std::uint32_t, 3>> passed;
+    ChannelWriter told(known_below_ten, {true, false},
+                       [&](std::uint32_t kind, std::uint32_t entity, const PointObject& object) {
+                           passed.push_back({kind, entity, object.key});
+                       });
+    EXPECT_TRUE(told.wants_points(0));
+    EXPECT_TRUE(told.points(0, {.key = 7}));
+    EXPECT_TRUE(told.points(0, {.key = 8, .body = {2, 1}}));
+    EXPECT_FALSE(told.points(0, {.key = 9, .body = {10, 1}})) << "an unknown body";
+    EXPECT_FALSE(told.wants_points(1));
+    EXPECT_FALSE(told.points(1, {.key = 10})) << "not due";
+    const std::vector<std::array<std::uint32_t, 3>> expected{{0, 0, 7}, {0, 102, 8}};
+    EXPECT_EQ(passed, expected);
+    EXPECT_FALSE(ChannelWriter(known_below_ten).points(0, {})) << "nobody listens";
 }
 
 }  // namespace

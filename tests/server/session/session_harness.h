@@ -73,7 +73,7 @@ struct SessionHarness {
             session->receive(*arrived, server.now);
         while (const auto out = session->take_message(server.now)) {
             std::string bytes = out->header + (out->shared ? *out->shared : "");
-            for (const server::SharedBytes& cell : out->cells) bytes += *cell;
+            for (const server::SharedBytes& field : out->shared_fields) bytes += *field;
             if (tamper) tamper(bytes);
             incoming.push(std::move(bytes), server.now);
         }

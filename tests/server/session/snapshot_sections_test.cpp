@@ -92,10 +92,15 @@ TEST_F(SnapshotSectionsTest, controlled_entity_is_sent_every_fourth_tick_at_60_h
 
 TEST_F(SnapshotSectionsTest, channels_select_kinds_by_name) {
     const std::vector<physics::ChannelKind> kinds{
-        {.name = "wheels"}, {.name = motion_kind}, {.name = "heat"}};
+        {.name = "wheels"},
+        {.name = motion_kind},
+        {.name = "heat"},
+        {.name = "ropes", .form = physics::ChannelForm::points}};
     EXPECT_EQ(requested_channels(kinds, {"heat", "unknown"}), 0b100u);
-    EXPECT_EQ(requested_channels(kinds, {"*"}), 0b101u);
-    EXPECT_EQ(requested_channels(kinds, {"*", motion_kind}), 0b111u);
+    EXPECT_EQ(requested_channels(kinds, {"*"}), 0b1101u);
+    EXPECT_EQ(requested_channels(kinds, {"*", motion_kind}), 0b1111u);
+    EXPECT_EQ(requested_channels(kinds, {"points:*"}), 0b1000u);
+    EXPECT_EQ(point_channels(kinds), 0b1000u);
     EXPECT_EQ(motion_channel(kinds), 0b010u);
     EXPECT_EQ(motion_channel({}), 0u);
 }

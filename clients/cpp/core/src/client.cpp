@@ -69,6 +69,11 @@ std::vector<SmoothPose> Client::interpolated(Clock::time_point now) {
     return c.buffer().sample(static_cast<std::int64_t>(to_us(now)), c.view().spec());
 }
 
+std::vector<SmoothPoints> Client::interpolated_points() {
+    const auto lock = locked(*state_);
+    return state_->protocol.interpolated_points();
+}
+
 v1::ViewTime Client::rendered_time() const {
     const auto lock = locked(*state_);
     return state_->protocol.rendered_time();

@@ -86,6 +86,12 @@ v1::ViewTime PlayProtocol::rendered_time() const {
     return client::rendered_time(newest_, buffer_.clock().render_time_us(), tick_us_);
 }
 
+std::vector<SmoothPoints> PlayProtocol::interpolated_points() {
+    if (newest_.frame == 0 || tick_us_ <= 0) return {};
+    const auto after_us = static_cast<double>(buffer_.clock().render_time_us() - newest_.due_us);
+    return view_.points().sample(newest_.frame + after_us / tick_us_, 1e6 / tick_us_);
+}
+
 std::uint32_t PlayProtocol::send(v1::Input input) {
     if (v1::Aim* aim = aim_of(input);
         aim && !aim->has_view_time() && options_.attach_view_time && newest_.frame != 0)
@@ -137,6 +143,7 @@ void PlayProtocol::on_message(Clock::time_point now) {
                 // A malformed state is not predicted.
                 static_cast<void>(view_.apply(message_.snapshot().controlled_entity()).ok());
             if (message_.snapshot().frame() != 0) on_snapshot(message_.snapshot(), now);
+            on_points(message_.snapshot());
             inputs_.confirm(message_.snapshot().client_update().input_received(), now);
             // Results and events are independent of the poses.
             on_results(message_.snapshot().client_update(), now);
@@ -229,6 +236,16 @@ void PlayProtocol::on_snapshot(const v1::Snapshot& snapshot, Clock::time_point n
     if (ages_ms_.size() < ages_max) ages_ms_.push_back(static_cast<float>(age_us / 1000));
 }
 
+// They arrive over the stream only, so they are not stale even if the poses are.
+void PlayProtocol::on_points(const v1::Snapshot& snapshot) {
+    const bool requested = view_.points().needs_keyframe();
+    if (const Status applied = view_.apply_points(snapshot); !applied.ok() && !requested) {
+        stats_.decode_errors++;
+        stats_.last_error = applied.error().message;
+    }
+    if (view_.points().needs_keyframe()) ack_due_ = true;
+}
+
 void PlayProtocol::adjust_input_clock(const v1::Snapshot& snapshot, double age_us,
                                       Clock::time_point now) {
     input_clock_.on_frame(snapshot.frame(), age_us, 1000 * clock_.rtt_ms() / 2,
@@ -274,7 +291,7 @@ std::vector<v1::Events> PlayProtocol::take_events() {
 
 void PlayProtocol::fill_ack(v1::Ack& ack, Clock::time_point now) {
     ack.set_frame(view_.frame().frame);
-    ack.set_need_keyframe(need_keyframe_ || keyframe_requested_);
+    ack.set_need_keyframe(needs_keyframe() || keyframe_requested_);
     if (decoded_at_ != Clock::time_point{})
         ack.set_ack_delay_ms(static_cast<std::uint32_t>(
             std::chrono::duration_cast<std::chrono::milliseconds>(now - decoded_at_).count()));
@@ -342,7 +359,7 @@ std::optional<std::string> PlayProtocol::take_message(Clock::time_point now) {
         write(*message.mutable_interest(), *options_.interest);
         return message.SerializeAsString();
     }
-    if (keyframe_requested_ || (ack_due_ && (need_keyframe_ || now - last_ack_ >= ack_period_))) {
+    if (keyframe_requested_ || (ack_due_ && (needs_keyframe() || now - last_ack_ >= ack_period_))) {
         fill_ack(*message.mutable_ack(), now);
         return message.SerializeAsString();
     }

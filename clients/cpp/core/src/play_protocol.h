@@ -48,6 +48,8 @@ public:
     // World time of the last rendered frame, or of the newest frame without rendering. Tick 0:
     // none.
     v1::ViewTime rendered_time() const;
+    // At the time of the last sample of buffer().
+    std::vector<SmoothPoints> interpolated_points();
     void set_interest(const AreaOfInterest& interest);
     void request_keyframe() { keyframe_requested_ = true; }
     void leave() { leaving_ = true; }
@@ -73,6 +75,8 @@ private:
     void on_message(Clock::time_point now);
     void on_welcome(const v1::Welcome& welcome, Clock::time_point now);
     void on_snapshot(const v1::Snapshot& snapshot, Clock::time_point now);
+    void on_points(const v1::Snapshot& snapshot);
+    bool needs_keyframe() const { return need_keyframe_ || view_.points().needs_keyframe(); }
     std::string hello();
     bool sends_inputs_on_stream(Clock::time_point now) const;
     std::string datagram_with_inputs(Clock::time_point now);

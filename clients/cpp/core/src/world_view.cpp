@@ -23,6 +23,7 @@ void WorldView::begin(const v1::Welcome& welcome) {
     datagrams_ = welcome.has_datagrams();
     known_frame_.reset();
     kinds_.assign(welcome.channels().begin(), welcome.channels().end());
+    points_.begin(kinds_);
     frames_.clear();
     entities_.clear();
     geometry_.clear();
@@ -33,6 +34,7 @@ void WorldView::begin(const v1::Welcome& welcome) {
 void WorldView::resume(const v1::Welcome& welcome) {
     codec_ = static_cast<snapshot::Codec>(std::max(1u, welcome.codec()));
     partial_geometry_ = {};
+    points_.begin(kinds_);  // the server sends them again
 }
 
 Status WorldView::apply(const v1::GeometryChunk& part) {

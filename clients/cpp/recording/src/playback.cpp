@@ -37,7 +37,11 @@ Status Playback::apply(const v1::ServerMessage& message, std::uint64_t offset) {
     Status status;
     if (message.has_entity_update()) view_.apply(message.entity_update());
     if (message.has_geometry()) status = view_.apply(message.geometry());
-    if (message.has_snapshot()) status = view_.apply(message.snapshot());
+    if (message.has_snapshot()) {
+        status = view_.apply(message.snapshot());
+        // After a seek, an object appears with its next keyframe.
+        static_cast<void>(view_.apply_points(message.snapshot()).ok());
+    }
     if (status.ok()) return status;
     return Error{status.error().code,
                  "byte " + std::to_string(offset) + ": " + status.error().message};

@@ -4,6 +4,7 @@
 import { nowUs } from './clock/clock_sync.js';
 import { Connection, type AreaOfInterest, type ConnectionListener, type ConnectionState, type Input, type Socket } from './connection/connection.js';
 import type { Entity } from './gen/jostle/v1/play_pb.js';
+import type { PointObjectView } from './interpolation/point_objects.js';
 import { RenderedPoses } from './interpolation/rendered_poses.js';
 import { MOTION_CHANNEL } from './snapshot/channels.js';
 import type { PredictionController } from './prediction/prediction_controller.js';
@@ -140,6 +141,14 @@ export class Client {
   }
 
   /**
+   * Point objects by id, with their positions as of the last sample(): ropes, cloth, particles and
+   * heights of the channel kinds in ConnectOptions.channels.
+   */
+  get points(): ReadonlyMap<number, PointObjectView> {
+    return this.connection.points.objects;
+  }
+
+  /**
    * Computes the poses to render now: interpolated between frames, slightly in the past, and predicted
    * for own inputs. Call it once per rendered frame. Returns the same object every time, valid until
    * the next call: `count` entities with ascending `ids`, and seven numbers per entity in `poses`:
@@ -148,6 +157,7 @@ export class Client {
   sample(localUs = nowUs()): RenderedPoses {
     const renderTimeUs = this.connection.renderClock.advance(localUs);
     this.poses.update(this.connection.frames, renderTimeUs, localUs);
+    this.connection.samplePoints();
     this.prediction?.applyTo(this.poses, this.connection.inputClock.position(localUs), localUs);
     return this.poses;
   }

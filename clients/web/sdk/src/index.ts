@@ -29,7 +29,10 @@ export {
   type Socket,
 } from './connection/connection.js';
 export { FrameBuffer, POSE_FLOATS, type PoseFrame } from './interpolation/frame_buffer.js';
+export { PointObjects, PointObjectView } from './interpolation/point_objects.js';
 export { RenderedPoses } from './interpolation/rendered_poses.js';
+export { subdivideGrid, subdivideMesh, subdivideStrand, type TriangleMesh } from './interpolation/subdivision.js';
+export { type PointLayout } from './snapshot/point_layout.js';
 export { MOTION_CHANNEL, NO_CHANNELS, type Channel, type Channels } from './snapshot/channels.js';
 
 // Queries about the joined world.

@@ -7,6 +7,7 @@ import type { Camera } from './camera/camera';
 import type { Driving } from './interaction/driving';
 import type { ModuleView } from './module_renderers/module_view';
 import type { StatsPanel } from './panels/stats';
+import type { PointObjectsView } from './point_objects/point_objects_view';
 import type { SceneView } from './scene/scene_view';
 import type { UnitKind } from './scene/shape_parts';
 import { heightAt } from './scene/water';
@@ -15,6 +16,7 @@ export interface Inspected {
   readonly connection: Connection;
   readonly view: SceneView;
   readonly moduleView: ModuleView;
+  readonly pointObjectsView: PointObjectsView;
   readonly camera: Camera;
   readonly driving: Driving;
   readonly statsPanel: StatsPanel;
@@ -23,7 +25,7 @@ export interface Inspected {
   controllableEntities(): number[];
 }
 
-export function exposeInspection({ connection, view, moduleView, camera, driving, statsPanel, recording, prediction, controllableEntities }: Inspected): void {
+export function exposeInspection({ connection, view, moduleView, pointObjectsView, camera, driving, statsPanel, recording, prediction, controllableEntities }: Inspected): void {
   const value = {
     get state() {
       return connection.state;
@@ -34,6 +36,10 @@ export function exposeInspection({ connection, view, moduleView, camera, driving
     },
     get entityCount() {
       return connection.frames.newest?.entities.length ?? 0;
+    },
+    /** Drawn point objects. */
+    get pointObjectCount() {
+      return pointObjectsView.count;
     },
     get snapshots() {
       return connection.snapshots;

@@ -24,6 +24,7 @@ import { cameraYaw, Driving, type Pad } from './interaction/driving';
 import { surfaceHeightAt, unobstructedDistance } from './interaction/pick';
 import { TOOLS, Tools, type Tool } from './interaction/tools';
 import { ModuleView, RENDERED_CHANNEL_KINDS, type RenderedChannels } from './module_renderers/module_view';
+import { POINT_CHANNEL_KINDS, PointObjectsView } from './point_objects/point_objects_view';
 import { DebugPanel } from './panels/debug';
 import { drawArrows, DriverPanel, offerText } from './panels/driver';
 import { describePick, entityName } from './panels/entity_names';
@@ -93,7 +94,7 @@ const listener: ConnectionListener = {
 };
 const open = parameters.networkConditions ? simulatedSocket(openSocket, parameters.networkConditions) : openSocket;
 let recorded: RecordedStream | undefined; // played instead of a live world
-const channelKinds = parameters.predict ? [...RENDERED_CHANNEL_KINDS, MOTION_CHANNEL] : RENDERED_CHANNEL_KINDS;
+const channelKinds = [...RENDERED_CHANNEL_KINDS, POINT_CHANNEL_KINDS, ...(parameters.predict ? [MOTION_CHANNEL] : [])];
 const connection = new Connection({
   url: websocketUrl(),
   listener,
@@ -147,6 +148,7 @@ const driverPanel = new DriverPanel(byId('driver'), takeControl, () => driving.s
 const debugPanel = new DebugPanel(byId('debug'), queries, new DebugView(view.scene), view);
 const hitMarks = new HitMarks(view.scene);
 const moduleView = new ModuleView(view.scene);
+const pointObjectsView = new PointObjectsView(view.scene);
 const eventsPanel = new EventsPanel(
   byId('events'),
   hitMarks,
@@ -370,6 +372,8 @@ renderer.setAnimationLoop(() => {
   view.update(poses);
   frameWorld();
   renderModules(rendered);
+  connection.samplePoints(renderTimeUs);
+  pointObjectsView.update(connection.points.objects, (entity) => view.poseOf(entity));
   updateDriverPanel();
   debugPanel.update();
   eventsPanel.update();
@@ -388,6 +392,7 @@ exposeInspection({
   connection,
   view,
   moduleView,
+  pointObjectsView,
   camera,
   driving,
   statsPanel,

@@ -16,6 +16,7 @@ import {
 } from '../snapshot/decode_frame.js';
 import { InterestCells } from '../snapshot/interest_cells.js';
 import { FrameBuffer, type PoseFrame } from '../interpolation/frame_buffer.js';
+import { PointObjects } from '../interpolation/point_objects.js';
 import { InputClock } from '../clock/input_clock.js';
 import { InputQueue } from './input_queue.js';
 import { LargeShapes } from './large_shapes.js';
@@ -130,6 +131,8 @@ export interface ConnectionOptions {
 export class Connection {
   readonly clock = new ClockSync();
   readonly frames = new FrameBuffer();
+  /** Point objects of the channel kinds that the client named. */
+  readonly points = new PointObjects();
   readonly renderClock = new RenderClock();
   readonly inputClock = new InputClock();
   readonly entities = new Map<number, Entity>();
@@ -240,6 +243,14 @@ export class Connection {
     this.predictionListener?.input(this.inputs.newest, tick, input);
     // Waiting for the next batch would need a larger input lead.
     if (tick > 0 && now - this.lastBatch >= BATCH_MS * 1000) this.sendInputs(now);
+  }
+
+  /** Computes the positions of the point objects at the rendered time, on the server's clock. */
+  samplePoints(renderTimeUs = this.renderClock.renderTimeUs): void {
+    const { newest } = this.frames;
+    const tickHz = this.welcome?.tickHz ?? 0;
+    if (!newest || tickHz === 0) return;
+    this.points.sample(newest.frame + ((renderTimeUs - newest.serverUs) * tickHz) / 1e6, tickHz);
   }
 
   /** Server tick of the last rendered frame; undefined before the first frame. */
@@ -382,6 +393,7 @@ export class Connection {
       this.clearWorld(welcome);
       this.predictionListener?.begin(welcome);
     }
+    this.points.begin(welcome.channels.map(({ divisor }) => divisor)); // a resumed stream sends them again
     this.needKeyframe = this.ackDue = false;
     this.lastAck = this.decodedAt = 0;
     this.lastPing = 0;
@@ -423,6 +435,7 @@ export class Connection {
       this.predictionListener?.controlledEntity(this.controlledEntity.newest);
     }
     this.decode(s);
+    if (!this.points.apply(s)) this.decodeErrors++;
     // These are valid even if the poses could not be decoded.
     for (const result of s.clientUpdate?.results ?? [])
       if (this.inputs.onResult(result.sequence) && result.code !== InputCode.APPLIED) this.listener.inputRejected(result);
@@ -500,7 +513,7 @@ export class Connection {
     this.lastAck = nowUs();
     return create(AckSchema, {
       frame: this.frames.newest?.frame ?? 0,
-      needKeyframe: this.needKeyframe,
+      needKeyframe: this.needKeyframe || this.points.needsKeyframe,
       ackDelayMs: this.decodedAt === 0 ? 0 : Math.floor((this.lastAck - this.decodedAt) / 1000),
     });
   }
@@ -508,7 +521,7 @@ export class Connection {
   private sendAckIfDue(): void {
     if (!this.ackDue) return;
     const dueUs = this.lastAck + (this.welcome?.ackIntervalMs ?? 0) * 1000;
-    if (this.needKeyframe || nowUs() >= dueUs) this.sendMessage({ case: 'ack', value: this.ack() });
+    if (this.needKeyframe || this.points.needsKeyframe || nowUs() >= dueUs) this.sendMessage({ case: 'ack', value: this.ack() });
   }
 
   /** Thirty times per second: sends what is due and detects a silent server. */

@@ -2,13 +2,10 @@
 // proto/snapshot/include/jostle/snapshot/frame_models.h.
 
 import type { Models } from './range_decoder.js';
+import { COUNT, MAGNITUDE, TAIL } from './range_numbers.js';
 import { INITIAL_MODELS } from './start_models.js';
 
-export const MAGNITUDE = 5; // models of a number: nonzero, negative, above 1, above 3, odd
-export const FIRST_WIDTH = 2; // bits below the leading one of a number above 3
-export const LAST_WIDTH = 14;
-export const TAIL = 2 * (LAST_WIDTH - FIRST_WIDTH) + 1;
-export const COUNT = 40;
+export { COUNT, MAGNITUDE, TAIL } from './range_numbers.js';
 
 let total = 0;
 function take(models: number): number {
@@ -42,10 +39,11 @@ const ALPHABET = '0123456789ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz
 const LEVELS = [64, 64, 64, 89, 133, 198, 295, 439, 652, 968, 1434, 2117, 3108, 4531, 6537, 9296, 12964, 17625, 23222, 29502];
 const TRAINED = 8;
 
-function parseModels(letters: string): Models {
-  const one = new Uint16Array(MODEL_COUNT);
-  const updates = new Uint8Array(MODEL_COUNT);
-  for (let i = 0; i < MODEL_COUNT; i++) {
+/** The models of a table of letters. */
+export function parseModels(letters: string, count = MODEL_COUNT): Models {
+  const one = new Uint16Array(count);
+  const updates = new Uint8Array(count);
+  for (let i = 0; i < count; i++) {
     const index = ALPHABET.indexOf(letters[i]!);
     const level = index >> 1;
     one[i] = level < 20 ? LEVELS[level]! : 65536 - LEVELS[39 - level]!;
@@ -54,7 +52,7 @@ function parseModels(letters: string): Models {
   return { one, updates };
 }
 
-const start = INITIAL_MODELS.map(parseModels);
+const start = INITIAL_MODELS.map((letters) => parseModels(letters));
 const working: Models = { one: new Uint16Array(MODEL_COUNT), updates: new Uint8Array(MODEL_COUNT) };
 
 /** The initial models of a frame whose baseline is `baselineAge` ticks old. Valid until the next call. */

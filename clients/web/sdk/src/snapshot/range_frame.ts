@@ -21,6 +21,7 @@ import {
 } from './frame_state.js';
 import { predict, type Prediction } from './predict.js';
 import { RangeDecoder } from './range_decoder.js';
+import { readCount, readNumber } from './range_numbers.js';
 
 const MOTIONLESS = 0;
 const MOVING = 1;
@@ -80,34 +81,12 @@ export class RangeFrameReader {
     if (this.in.pastEnd) this.fail('truncated data');
   }
 
-  // ---- numbers ----
-
-  /** The width of value + 1 in unary, then its bits below the leading one. */
   private count(models: number): number {
-    let bitCount = 0;
-    while (bitCount < M.COUNT && this.in.bit(models + bitCount)) bitCount++;
-    return 2 ** bitCount + this.in.raw(bitCount) - 1;
+    return readCount(this.in, models);
   }
 
   private number(models: number, tail: number): number {
-    if (!this.in.bit(models)) return 0;
-    const negative = this.in.bit(models + 1);
-    let size = 1;
-    if (this.in.bit(models + 2)) {
-      if (this.in.bit(models + 3)) size = this.large(tail);
-      else size = this.in.bit(models + 4) ? 3 : 2;
-    }
-    return negative ? -size : size;
-  }
-
-  private large(tail: number): number {
-    const steps = M.LAST_WIDTH - M.FIRST_WIDTH;
-    let k = 0;
-    while (k < steps && this.in.bit(tail + k)) k++;
-    let bitCount = M.FIRST_WIDTH + k;
-    if (k === steps) bitCount += this.in.raw(5);
-    const second = this.in.bit(tail + steps + k) ? 3 : 2;
-    return second * 2 ** (bitCount - 1) + this.in.raw(bitCount - 1);
+    return readNumber(this.in, models, tail);
   }
 
   // ---- removed and spawned entities ----

@@ -110,7 +110,8 @@ public:
     physics::Status configure(physics::World& world,
                               const physics::ModuleSettings& settings) override;
     /// Publishes two channels. "crowd": numbers of agents, of arrived ones, of ones in panic, and
-    /// of ones that left. "crowd.points", every sixth step: the positions of agents without a body.
+    /// of ones that left. "crowd.points", every sixth step: a point object with the agents without
+    /// a body, and the radius of the first of them.
     std::vector<physics::ChannelKind> channels() const override;
     void publish(const physics::World& world, physics::ChannelWriter& channels) const override;
 

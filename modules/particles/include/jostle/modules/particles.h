@@ -38,8 +38,8 @@ public:
     static constexpr double work_max = 4e6;
     /// m/s; see above.
     static constexpr double wake_speed = 0.02;
-    /// Points that the channel "particles" publishes; the first ones of each group in order.
-    static constexpr std::size_t published_max = 5000;
+    /// m: published positions are multiples of a quarter of the radius, within these limits.
+    static constexpr double published_step_min = 0.002, published_step_max = 0.02;
     /// Publishing interval of the points, in steps.
     static constexpr int points_divisor = 2;
 
@@ -69,13 +69,10 @@ public:
     physics::Status configure(physics::World& world,
                               const physics::ModuleSettings& settings) override;
 
-    /// Publishes three channels.
+    /// Publishes two channels.
     ///
-    /// "particles", of the form points, every points_divisor steps: the positions in mm, at most
-    /// published_max, group by group without cosmetic ones.
-    ///
-    /// "particles.groups": per group that is not cosmetic: key, number of published points, radius
-    /// (f32) and color.
+    /// "particles", of the form points, every points_divisor steps: an object of loose points per
+    /// group that is not cosmetic, with the key of the group, its radius and its color.
     ///
     /// "particles.cosmetic", of the form seed: the definitions of cosmetic groups, as
     /// encode_cosmetic() writes them (cosmetic_particles.h). It changes only with them.

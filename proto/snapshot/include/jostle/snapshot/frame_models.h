@@ -9,24 +9,9 @@
 #include <cstdint>
 #include <span>
 
-#include "jostle/snapshot/range_coder.h"
+#include "jostle/snapshot/range_numbers.h"
 
 namespace jostle::snapshot {
-
-/// Models of a signed number: is it nonzero, negative, above 1, above 3, and odd (2 or 3).
-struct MagnitudeModels {
-    BitModel nonzero, negative, above_1, above_3, odd;
-};
-/// Shared models of numbers above 3: is it above 7, 15, 31, ..., and the bit below the leading one.
-struct TailModels {
-    static constexpr unsigned first_width = 2, last_width = 14;  ///< bits below the leading one
-    BitModel wider[last_width - first_width], second[last_width - first_width + 1];
-};
-/// A count or a gap: its width in unary.
-struct CountModels {
-    static constexpr unsigned widths = 40;
-    BitModel wider[widths];
-};
 
 struct FrameModels {
     BitModel changes_entities;  ///< any entity is removed or spawned
@@ -54,6 +39,9 @@ inline constexpr std::size_t frame_model_count = sizeof(FrameModels) / sizeof(Bi
 inline std::span<BitModel> all_of(FrameModels& models) {
     return {reinterpret_cast<BitModel*>(&models), frame_model_count};
 }
+
+/// The initial model that a letter of a table stands for (WIRE.md, "Initial models").
+BitModel model_of_letter(char letter);
 
 /// Initial models: one table for baselines that are one or two ticks old, one for older ones.
 const FrameModels& start_models(std::int64_t base_age);

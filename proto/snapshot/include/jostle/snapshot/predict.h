@@ -46,5 +46,9 @@ Prediction predict(const EntityState& baseline, const EntityState* baseline2,
 inline std::int64_t divide_rounded(std::int64_t a, std::int64_t b) {
     return a >= 0 ? (a + b / 2) / b : -((-a + b / 2) / b);
 }
+/// A step over a time d, scaled to a time n.
+inline std::int64_t scaled(std::int64_t step, std::int64_t n, std::int64_t d) {
+    return n == d ? step : divide_rounded(step * n, d);
+}
 
 }  // namespace jostle::snapshot

@@ -64,6 +64,8 @@ public:
     }
     /// Codes `count` bits, at most 40, with equal probability of ones and zeros.
     std::uint64_t raw(std::uint64_t value, unsigned count);
+    /// Number of bytes so far, up to a few that later ones may still change.
+    std::size_t size() const { return bytes_.size() + pending_ + (holds_ ? 1 : 0); }
     /// Returns all bytes. The encoder must not be used afterwards.
     std::vector<std::byte> finish();
 

@@ -102,44 +102,11 @@ private:
             return coder_.past_end() && !fail("truncated data");
     }
 
-    // ---- numbers ----
-
-    // Codes a number >= 0: the width of value + 1 in unary, then its bits below the leading one. A
-    // decoder may read a width of up to 40.
     std::uint64_t count(CountModels& m, std::uint64_t value) {
-        const unsigned target_width = bit_width(value + 1) - 1;
-        unsigned width = 0;
-        while (width < CountModels::widths && coder_.bit(m.wider[width], target_width > width))
-            width++;
-        const std::uint64_t leading = std::uint64_t{1} << width;
-        return (leading | coder_.raw((value + 1) & (leading - 1), width)) - 1;
+        return code_count(coder_, m, value);
     }
-
     std::int64_t number(MagnitudeModels& m, TailModels& tail, std::int64_t value) {
-        if (!coder_.bit(m.nonzero, value != 0)) return 0;
-        const bool negative = coder_.bit(m.negative, value < 0);
-        const auto size = static_cast<std::uint64_t>(value < 0 ? -value : value);
-        std::uint64_t coded = 1;
-        if (coder_.bit(m.above_1, size > 1)) {
-            if (!coder_.bit(m.above_3, size > 3))
-                coded = 2 | (coder_.bit(m.odd, (size & 1) != 0) ? 1 : 0);
-            else
-                coded = large(tail, size);
-        }
-        return negative ? -static_cast<std::int64_t>(coded) : static_cast<std::int64_t>(coded);
-    }
-
-    std::uint64_t large(TailModels& tail, std::uint64_t size) {
-        constexpr unsigned first = TailModels::first_width, last = TailModels::last_width;
-        const unsigned target_width = bit_width(size) - 1;
-        unsigned width = first;
-        while (width < last && coder_.bit(tail.wider[width - first], target_width > width)) width++;
-        if (width == last) width += static_cast<unsigned>(coder_.raw(target_width - last, 5));
-        const bool second =
-            coder_.bit(tail.second[std::min(width, last) - first], (size >> (width - 1) & 1) != 0);
-        const std::uint64_t low = (std::uint64_t{1} << (width - 1)) - 1;
-        return (std::uint64_t{2} | (second ? 1 : 0)) << (width - 1) |
-               coder_.raw(size & low, width - 1);
+        return code_number(coder_, m, tail, value);
     }
 
     // ---- removed and spawned entities ----

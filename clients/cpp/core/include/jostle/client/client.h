@@ -59,6 +59,9 @@ public:
     /// Returns the poses to render now; see InterpolationBuffer::sample(). Call it once per
     /// rendered frame with increasing times.
     std::vector<SmoothPose> interpolated(Clock::time_point now);
+    /// Returns the point objects at the time of the last interpolated(); see
+    /// PointObjectView::sample(). Descriptions are in WorldView::points().
+    std::vector<SmoothPoints> interpolated_points();
     /// The world time of the last rendered frame, for Aim.view_time and QueryOptions::view_time.
     /// Without rendering: of the newest received frame. Tick 0: no frame was received yet.
     v1::ViewTime rendered_time() const;

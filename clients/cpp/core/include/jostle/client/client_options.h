@@ -31,8 +31,8 @@ struct ClientOptions {
     std::uint32_t snapshot_hz = 0;  ///< requested snapshot rate, Hz; 0: the tick rate of the world
     bool spectator = false;         ///< the server rejects its inputs
     bool events = false;            ///< subscribes to events: Client::take_events()
-    /// Channel kinds to subscribe to (WorldView::channels()); "*": all kinds of modules. The server
-    /// sends no other kinds.
+    /// Channel kinds to subscribe to (WorldView::channels() and points()); "*": all kinds of
+    /// modules; "points:*": all kinds with point objects. The server sends no other kinds.
     std::vector<std::string> channels = {};
     /// The highest snapshot codec to request, 1 or 2. Codec 2 needs two thirds of the bytes of
     /// codec 1 and about twice the time to decode.

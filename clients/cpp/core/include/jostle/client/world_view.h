@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "jostle/base/result.h"
+#include "jostle/client/point_objects.h"
 #include "jostle/snapshot/channel_codec.h"
 #include "jostle/snapshot/frame_codec.h"
 #include "jostle/snapshot/quantize.h"
@@ -33,7 +34,8 @@ public:
 
     /// Starts a new stream and discards all state.
     void begin(const v1::Welcome& welcome);
-    /// Starts a resumed stream; all state remains valid.
+    /// Starts a resumed stream. The server sends point objects again; all other state remains
+    /// valid.
     void resume(const v1::Welcome& welcome);
     /// Adds a chunk of a large shape. Returns an error if it does not follow the previous chunk.
     Status apply(const v1::GeometryChunk& part);
@@ -42,6 +44,9 @@ public:
     /// Decodes a snapshot and verifies its CRC. On an error the last valid frame remains current,
     /// and the client should request a keyframe.
     Status apply(const v1::Snapshot& snapshot);
+
+    /// Applies the point objects of a snapshot, before or after apply(); see PointObjects::apply().
+    Status apply_points(const v1::Snapshot& snapshot) { return points_.apply(snapshot); }
 
     /// Applies the state of the controlled entity. Returns an error if its baseline is unknown; the
     /// next keyframe is accepted again.
@@ -86,6 +91,10 @@ public:
     /// Values of one channel; entity 0: the module itself. Empty: no such channel.
     std::span<const std::int32_t> channel(std::string_view kind, std::uint32_t entity) const;
 
+    /// Point objects of the kinds that Hello named.
+    PointObjects& points() { return points_; }
+    const PointObjects& points() const { return points_; }
+
     /// The state of the entity that this client controls, for prediction
     /// (jostle/modules/controlled_entity_state.h defines the words, which are untrusted). Entity 0:
     /// not received yet. The last received state is stored.
@@ -122,6 +131,7 @@ private:
     std::shared_ptr<InterestCells> cells_;  // null: the client receives the whole world
     std::map<std::uint32_t, v1::Entity> entities_;
     std::map<std::uint64_t, v1::Shape> geometry_;  // chunked shapes, by id
+    PointObjects points_;
     ControlledEntityState controlled_entity_;
     struct PartialGeometry {
         std::uint64_t id = 0;

@@ -167,11 +167,17 @@ private:
                 .skip = 0,
                 .cross = {},
                 .has_cross = false};
-        const Vec3 force = mean(previous_edge(k), start_edge(k), e, s.weights[k]) * q;
+        const Vec3 force = tension_of(k);
         s.nodes[k].right += force;
         s.nodes[k + 1].right -= force;
         add_scalar(k, geometric);
         add_scalar(k + 1, geometric);
+    }
+
+    // Force of a link on its first node, times h^2.
+    Vec3 tension_of(std::size_t k) const {
+        return mean(previous_edge(k), start_edge(k), edge(k), scratch_.weights[k]) *
+               scratch_.multipliers[k];
     }
 
     // Of (|e|^2 - L^2) / 2 against q h^2. A rope without bending stiffness buckles within its links
@@ -398,6 +404,15 @@ private:
         return share;
     }
 
+    // The row of a node on which only links act.
+    Vec3 pull_of_links(std::size_t i) const {
+        const StrandScratch& s = scratch_;
+        Vec3 sum = (s.free_targets[i] - strand_.positions[i]) * s.masses[i];
+        if (i < strand_.links()) sum += tension_of(i);
+        if (i > 0) sum -= tension_of(i - 1);
+        return sum;
+    }
+
     // Moves to the next iterate. Returns whether the lengths are settled: the error that remains is
     // of second order in the change of each edge.
     bool move() {
@@ -445,12 +460,15 @@ private:
         for (std::size_t k = 0; k < strand_.links(); k++)
             strand_.force_densities[k] = s.multipliers[k] / h2_;
         // The rows of fixed nodes are the impulses on their supports, after the last iteration.
-        if (!input_.loads.empty()) assemble();
-        for (NodeLoad& load : input_.loads)
-            load.impulse = (load.fixed ? s.nodes[load.node].right
-                                       : load.mass *
-                                             (strand_.positions[load.node] - load.target)) *
-                           inverse_h;
+        const bool links_only = !bends() && input_.contacts.empty();
+        if (!input_.loads.empty() && !links_only) assemble();
+        for (NodeLoad& load : input_.loads) {
+            const Vec3 sum = !load.fixed
+                                 ? load.mass * (strand_.positions[load.node] - load.target)
+                             : links_only ? pull_of_links(load.node)
+                                          : s.nodes[load.node].right;
+            load.impulse = sum * inverse_h;
+        }
         for (Clamp& clamp : input_.clamps) {
             const std::size_t link = clamp.last ? strand_.links() - 1 : 0;
             const std::size_t held = clamp.last ? nodes() - 1 : 0,

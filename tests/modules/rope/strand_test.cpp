@@ -19,7 +19,7 @@ Strand straight(std::size_t links, Vec3 from, Vec3 to, double mass) {
     Strand s;
     const double length = physics::length(to - from);
     for (std::size_t i = 0; i <= links; i++)
-        s.positions.push_back(from + (to - from) * (static_cast<double>(i) / links));
+        s.positions.push_back(from + (to - from) * (static_cast<double>(i) / static_cast<double>(links)));
     s.velocities.resize(links + 1);
     s.rest_lengths.assign(links, length / static_cast<double>(links));
     s.force_densities.assign(links, 0);
@@ -200,7 +200,7 @@ TEST(Strand, stays_stable_under_any_tension) {
     for (const double load : {1.0, 100.0, 1e4}) {
         Strand s = straight(100, {}, {0, -1, 0}, 0.01);
         s.stretch_stiffness = 1e8;
-        for (std::size_t i = 0; i <= 100; i++) s.velocities[i].x = std::sin(3.0 * i);
+        for (std::size_t i = 0; i <= 100; i++) s.velocities[i].x = std::sin(3.0 * static_cast<double>(i));
         NodeLoad loads[2] = {{.node = 0, .fixed = true},
                              {.node = 100, .mass = scalar_matrix(load)}};
         StrandScratch scratch;
@@ -226,7 +226,7 @@ double slipping_ratio(double friction, double ratio, double seconds) {
     // From the left end up, over the top (half a turn), down to the right end.
     const double side = 2, arc = physics::pi * radius, total = 2 * side + arc;
     for (std::size_t i = 0; i <= links; i++) {
-        const double at = total * static_cast<double>(i) / links;
+        const double at = total * static_cast<double>(i) / static_cast<double>(links);
         if (at < side) s.positions.push_back({-radius, at - side, 0});
         else if (at < side + arc) {
             const double angle = (at - side) / radius;

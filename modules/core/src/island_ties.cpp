@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "jostle/modules/island_coupling.h"
-#include "jostle/physics/step_listener.h"
 
 namespace jostle::modules {
 

@@ -5,6 +5,7 @@
 
 #include "jostle/base/check.h"
 #include "jostle/physics/scalar.h"
+#include "modules/rope/src/rope_winch.h"
 
 namespace jostle::modules::rope_detail {
 
@@ -127,12 +128,13 @@ void tie_bodies(World& world, Rope& rope) {
 
 class Advance {
 public:
-    Advance(Rope& rope, const RopeSubstep& substep, int parts)
-        : rope_(rope), substep_(substep), h_(substep.h / parts) {}
+    Advance(Rope& rope, const RopeSubstep& substep, int parts, double dt)
+        : rope_(rope), substep_(substep), h_(substep.h / parts), dt_(dt) {}
 
     void run(int parts) {
         read_group();
         for (int n = 0; n < parts; n++) {
+            run_winches(rope_, h_, dt_);
             place_shapes();
             find_contacts();
             count_shares();
@@ -403,7 +405,7 @@ private:
 
     Rope& rope_;
     const RopeSubstep& substep_;
-    const double h_;
+    const double h_, dt_;  // of a part and of the whole step, s
 };
 
 }  // namespace
@@ -437,7 +439,7 @@ void advance(Rope& rope, const RopeSubstep& substep, int count) {
     ASSERT(count >= 1 && substep.h > 0);
     const int least = static_cast<int>(rope.def.substeps);
     const int parts = (least + count - 1) / count;
-    Advance(rope, substep, parts).run(parts);
+    Advance(rope, substep, parts, substep.h * count).run(parts);
     rope.substeps_done++;
 }
 

@@ -57,37 +57,39 @@ bool unite(Rope& rope, std::size_t link) {
     return true;
 }
 
-// Links next to the winch are between half and three halves of the usual length.
-void run_winch(Rope& rope, RopeEnd end, double dt, std::size_t links_free) {
-    const bool first = end == RopeEnd::first;
-    double& speed = rope.winch[first ? 0 : 1];
-    if (speed == 0) return;
-    Strand& s = rope.strand;
-    const double usual = rope.link_length;
-    double left = speed * dt;
-    while (left != 0) {
-        const std::size_t link = first ? 0 : s.links() - 1;
-        double& length = s.rest_lengths[link];
-        const double before = length;
-        length = std::clamp(length + left, 0.5 * usual, 1.5 * usual);
-        s.force_densities[link] *= before / length;
-        left -= length - before;
-        if (left > 0) {
-            if (links_free == 0 || s.links() >= RopeDef::links_max) break;
-            links_free--;
-            divide(rope, link, first);
-        } else if (left < 0 && (s.links() == 1 || !unite(rope, first ? 0 : link - 1))) {
-            break;
-        }
-    }
-    if (left != 0) speed = 0;
+std::size_t link_at(const Rope& rope, bool first) {
+    return first ? 0 : rope.strand.links() - 1;
 }
 
 }  // namespace
 
-void run_winches(Rope& rope, double dt, std::size_t links_free) {
-    run_winch(rope, RopeEnd::first, dt, links_free);
-    run_winch(rope, RopeEnd::last, dt, links_free);
+void keep_link_lengths(Rope& rope, std::size_t links_free) {
+    for (const bool first : {true, false}) {
+        double& speed = rope.winch[first ? 0 : 1];
+        const std::size_t link = link_at(rope, first);
+        const double length = rope.strand.rest_lengths[link];
+        if (speed > 0 && length > 1.5 * rope.link_length) {
+            if (links_free == 0 || rope.strand.links() >= RopeDef::links_max)
+                speed = 0;
+            else
+                divide(rope, link, first);
+        } else if (speed < 0 && length < 0.5 * rope.link_length) {
+            if (rope.strand.links() == 1 || !unite(rope, first ? 0 : link - 1)) speed = 0;
+        }
+    }
+}
+
+void run_winches(Rope& rope, double h, double dt) {
+    for (const bool first : {true, false}) {
+        const double most = 0.5 * rope.link_length / dt;
+        const double speed = std::clamp(rope.winch[first ? 0 : 1], -most, most);
+        if (speed == 0) continue;
+        const std::size_t link = link_at(rope, first);
+        double& length = rope.strand.rest_lengths[link];
+        const double before = length;
+        length = std::max(length + speed * h, 0.25 * rope.link_length);
+        rope.strand.force_densities[link] *= before / length;
+    }
 }
 
 }  // namespace jostle::modules::rope_detail

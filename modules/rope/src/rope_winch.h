@@ -7,7 +7,12 @@
 
 namespace jostle::modules::rope_detail {
 
-// Moves the ends of a rope by dt seconds of its winches. `links_free`: links that may be added.
-void run_winches(Rope& rope, double dt, std::size_t links_free);
+// Before a step: adds and removes links next to winches, so that those are between half and three
+// halves of the usual length. `links_free`: links that may be added. Stops a winch at the last link
+// and at the next attachment.
+void keep_link_lengths(Rope& rope, std::size_t links_free);
+// In a sub-step of h seconds: changes the rest lengths of the links at winches, by at most half of
+// the usual length in a step of dt seconds.
+void run_winches(Rope& rope, double h, double dt);
 
 }  // namespace jostle::modules::rope_detail

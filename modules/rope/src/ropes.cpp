@@ -310,7 +310,8 @@ void Ropes::before_step(World& world, double dt) {
     std::int64_t work = 0;
     for (const auto& rope : ropes_) {
         if (rope->winch[0] != 0 || rope->winch[1] != 0)
-            rope_detail::run_winches(*rope, dt, links_max - std::min(links_max, link_count()));
+            rope_detail::keep_link_lengths(*rope,
+                                           links_max - std::min(links_max, link_count()));
         rope_detail::begin_step(world, *rope, dt);
         if (!rope->awake) continue;
         work += static_cast<std::int64_t>(rope->strand.links()) *

@@ -14,17 +14,23 @@ namespace {
 
 // Compliance of contacts relative to the inertia of a node: small enough to be invisible, large
 // enough for the accuracy of the elimination.
-constexpr double contact_compliance = 1e-5;
+constexpr double contact_compliance = 1e-3, friction_compliance = 1e-4;
 // Smallest compliance of links, relative to L^2 / m.
 constexpr double link_compliance = 1e-9;
 // Compliance of a link that is shorter than its rest length, relative to the same.
 constexpr double slack_compliance = 10;
+// Compliance of links and contacts that alternate between two states, relative to the same and to 1
+// / m: the sub-step resolves them as springs.
+constexpr double undecided_compliance = 0.1;
 // A contact pushes the strand out of an overlap at most this fast, m/s.
 constexpr double push_out_speed = 1;
 // Solutions after which the decisions about links and contacts are final.
-constexpr int decisions_max = 5;
+constexpr int decisions_max = 8;
 // Relative error of lengths below which an iteration is the last one.
 constexpr double length_tolerance = 1e-6;
+// Square of the relative change of an edge in the last iteration above which the solution is
+// rejected.
+constexpr double acceptable_change = 0.01;
 
 // One sub-step of one strand.
 class Substep {
@@ -43,14 +49,24 @@ public:
             const auto solve = bends() ? solve_rod : solve_chain;
             solve(scratch_.nodes, scratch_.links, scratch_.elimination, scratch_.displacements,
                   scratch_.changes);
-            const bool lengths_settled = move();
-            if (!decided) {
+            bool lengths_settled = move();
+            if (decided) {
+                lengths_settled = !stiffen() && lengths_settled;
+            } else {
                 // The step starts again if tensions or contacts differ from what it assumed.
                 const bool links_agree = update_links(), contacts_agree = update_contacts();
                 decided = (links_agree && contacts_agree) || iterations >= decisions_max;
                 if (!decided) move_back();
             }
-            if (decided && lengths_settled) break;
+            if (decided && lengths_settled) {
+                finish();
+                return iterations;
+            }
+        }
+        // Without contacts, each iterate is bounded and the next sub-step continues from it.
+        if (last_change_ > acceptable_change && !input_.contacts.empty()) {
+            take_soft_step();
+            iterations++;
         }
         finish();
         return iterations;
@@ -93,12 +109,9 @@ private:
             if (!input_.forces.empty()) acceleration += input_.forces[i] * (1 / s.masses[i]);
             s.free_targets[i] =
                 s.start[i] + strand_.velocities[i] * input_.h + acceleration * h2_;
-            strand_.positions[i] = s.free_targets[i];
         }
-        for (const NodeLoad& load : input_.loads) {
-            s.nodes[load.node].fixed = load.fixed;
-            if (load.fixed) strand_.positions[load.node] = load.target;
-        }
+        for (const NodeLoad& load : input_.loads) s.nodes[load.node].fixed = load.fixed;
+        restart();
         s.laws.assign(strand_.links(), LinkLaw::taut);
         for (std::size_t k = 0; k < strand_.links(); k++) {
             s.multipliers[k] = strand_.force_densities[k] * h2_;
@@ -106,6 +119,12 @@ private:
             if (!bends() && s.multipliers[k] <= 0 && length_squared(edge(k)) <= length * length)
                 s.laws[k] = LinkLaw::slack;
         }
+    }
+
+    void restart() {
+        strand_.positions = scratch_.free_targets;
+        for (const NodeLoad& load : input_.loads)
+            if (load.fixed) strand_.positions[load.node] = load.target;
     }
 
     void choose_weights() {
@@ -186,6 +205,7 @@ private:
         const double length = strand_.rest_lengths[k];
         const double unit = length * length / scratch_.masses[k];
         if (scratch_.laws[k] == LinkLaw::slack) return unit * slack_compliance;
+        if (scratch_.laws[k] == LinkLaw::undecided) return unit * undecided_compliance;
         return maximum(length * length * length / (strand_.stretch_stiffness * h2_),
                        unit * link_compliance);
     }
@@ -242,6 +262,40 @@ private:
                clamp.direction;
     }
 
+    // For a sub-step without a consistent solution, such as a rope that is crushed: contacts act as
+    // springs without friction that the sub-step resolves, and links as in the second of two linear
+    // solutions. The next sub-step corrects the errors.
+    void take_soft_step() {
+        StrandScratch& s = scratch_;
+        restart();
+        for (std::size_t k = 0; k < strand_.links(); k++) {
+            const double length = strand_.rest_lengths[k];
+            const bool shorter = !bends() && length_squared(edge(k)) <= length * length;
+            s.laws[k] = shorter ? LinkLaw::slack : LinkLaw::taut;
+            s.multipliers[k] = maximum(strand_.force_densities[k], 0) * h2_;
+            s.weights[k] = weights_now(k);
+        }
+        for (StrandContact& c : input_.contacts) {
+            c.grip = overlap(c, contact_motion(c)) > 0 ? ContactGrip::smooth : ContactGrip::open;
+            c.openings = 2;
+            c.pressure = 0;
+        }
+        for (const bool last : {false, true}) {
+            assemble();
+            const auto solve = bends() ? solve_rod : solve_chain;
+            solve(s.nodes, s.links, s.elimination, s.displacements, s.changes);
+            move();
+            if (last) break;
+            update_links();
+            move_back();
+        }
+        // These tensions say little about those of the next sub-step, so they grow slowly.
+        for (std::size_t k = 0; k < strand_.links(); k++)
+            s.multipliers[k] =
+                clamp(s.multipliers[k], 0,
+                      2 * maximum(strand_.force_densities[k], 0) * h2_ + s.masses[k]);
+    }
+
     // ---- contacts ----
 
     Vec3 contact_point(const StrandContact& c, std::span<const Vec3> x) const {
@@ -255,10 +309,11 @@ private:
         return scratch_.masses[c.link] * (1 - c.fraction) + scratch_.masses[c.link + 1] * c.fraction;
     }
     double normal_stiffness(const StrandContact& c) const {
-        return 1 / (contact_compliance / contact_mass(c) + c.response_normal);
+        const double own = c.openings > 0 ? undecided_compliance : contact_compliance;
+        return 1 / (own / contact_mass(c) + c.response_normal);
     }
     double tangent_stiffness(const StrandContact& c) const {
-        return 1 / (contact_compliance / contact_mass(c) + c.response_tangent);
+        return 1 / (friction_compliance / contact_mass(c) + c.response_tangent);
     }
     // Overlap that the contact removes in this sub-step, m.
     double overlap(const StrandContact& c, Vec3 motion) const {
@@ -334,10 +389,10 @@ private:
             c.pressure = 0;
             return false;
         }
-        // A contact that opens and closes again stays closed until the end of the sub-step.
+        // A contact that opens a second time remains as a spring that pulls a little.
         if (!(depth > 0)) {
             c.pressure = 0;
-            if (c.openings > 0) return true;
+            if (c.openings > 1) return true;
             c.openings++;
             c.grip = ContactGrip::open;
             return false;
@@ -387,7 +442,7 @@ private:
         const double length = strand_.rest_lengths[k];
         if (s.laws[k] != LinkLaw::slack || length_squared(edge(k)) <= length * length)
             return false;
-        s.laws[k] = LinkLaw::taut_again;
+        s.laws[k] = LinkLaw::undecided;
         return true;
     }
 
@@ -421,18 +476,33 @@ private:
         if (share < 1)
             for (Vec3& displacement : s.displacements) displacement *= share;
         for (std::size_t i = 0; i < nodes(); i++) strand_.positions[i] += s.displacements[i];
-        bool settled = share == 1;
+        last_change_ = 0;
         for (std::size_t k = 0; k < strand_.links(); k++) {
             s.multipliers[k] += s.changes[k];
             const double length = strand_.rest_lengths[k];
-            settled = settled && length_squared(s.displacements[k + 1] - s.displacements[k]) <=
-                                     2 * length_tolerance * length * length;
+            last_change_ =
+                maximum(last_change_,
+                        length_squared(s.displacements[k + 1] - s.displacements[k]) /
+                            (length * length));
         }
-        return settled;
+        return share == 1 && last_change_ <= 2 * length_tolerance;
     }
     void move_back() {
         for (std::size_t i = 0; i < nodes(); i++)
             strand_.positions[i] -= scratch_.displacements[i];
+    }
+
+    // Raises the weights of links whose tension has grown since they were chosen. Returns whether
+    // there are any.
+    bool stiffen() {
+        bool any = false;
+        for (std::size_t k = 0; k < strand_.links(); k++) {
+            const TimeWeights weights = weights_now(k);
+            if (weights.end <= scratch_.weights[k].end + 0.05) continue;
+            scratch_.weights[k] = weights;
+            any = true;
+        }
+        return any;
     }
 
     // Decides for each link whether it is taut, and how much its tension stiffens the strand.
@@ -492,6 +562,7 @@ private:
     const SubstepInput& input_;
     StrandScratch& scratch_;
     const double h2_;
+    double last_change_ = 0;  // of an edge in the last iteration, relative to its length, squared
 };
 
 }  // namespace

@@ -96,12 +96,12 @@ struct SubstepInput {
     std::span<NodeLoad> loads = {};                // at most one per node
     std::span<Clamp> clamps = {};                  // at held ends
     std::span<StrandContact> contacts = {};
-    int iterations_max = 8;
+    int iterations_max = 12;
 };
 
 // A taut link resists stretching. A slack one is shorter than its rest length. A link that became
-// slack and taut again within a sub-step stays taut until its end.
-enum class LinkLaw : std::uint8_t { taut, slack, taut_again };
+// slack and taut again within a sub-step is a spring that the sub-step resolves.
+enum class LinkLaw : std::uint8_t { taut, slack, undecided };
 
 // Reused memory of a sub-step. Not state.
 struct StrandScratch {

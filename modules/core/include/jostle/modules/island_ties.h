@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "jostle/physics/state_visitor.h"
+#include "jostle/physics/step_listener.h"
 #include "jostle/physics/world.h"
 
 namespace jostle::modules {

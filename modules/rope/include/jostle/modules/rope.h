@@ -61,8 +61,9 @@ public:
     /// differ, or if the gap is longer than the longest link; failed_precondition for one rope.
     physics::Status join(physics::World& world, RopeKey rope, RopeKey next);
     /// Sets the speed at which a winch pays rope out at an end, m/s, within 100; negative reels it
-    /// in. Links are added and removed at the end, which must be attached. Reeling in stops at one
-    /// link, paying out at RopeDef::links_max links.
+    /// in. Links are added and removed at the end, which must be attached. At most half the length
+    /// of a link per step. Reeling in stops at the next attachment and at the last link, paying out
+    /// at RopeDef::links_max links.
     physics::Status set_winch(physics::World& world, RopeKey rope, RopeEnd end, double speed);
 
     /// Keys of all ropes, in the order of add().

@@ -33,7 +33,7 @@ struct TouchedBody {
 struct CarriedBody {
     physics::BodyId id = {};
     physics::BodyType type = physics::BodyType::dynamic;
-    bool in_group = false;  // otherwise it moves as before the step, and gets the impulses after it
+    bool in_group = false;  // otherwise it gets the impulses after the step
     physics::Vec3 center = {}, velocity = {}, spin = {};
     physics::Vec3 start_center = {};  // of the sub-step of the group: impulses act about it
     physics::Quat rotation = {};

@@ -42,7 +42,19 @@ bool is_attached_to(const Rope& rope, BodyId body) {
     });
 }
 
-CarriedBody carried(const BodyState& body) {
+// Of a body outside of the group; inside, SubstepContext::response() is exact.
+BodyResponse response_of(const BodyState& body, Vec3 gravity) {
+    if (body.type != BodyType::dynamic || !body.awake) return {};
+    const Vec3 free{(body.locks & lock_x) != 0 ? 0.0 : 1.0, (body.locks & lock_y) != 0 ? 0.0 : 1.0,
+                    (body.locks & lock_z) != 0 ? 0.0 : 1.0};
+    const AxisLocks rotations = lock_rotation_x | lock_rotation_y | lock_rotation_z;
+    const bool turns = (body.locks & rotations) == 0;
+    return {.inverse_mass = free * (1 / body.mass),
+            .inverse_inertia = turns ? inverse(body.inertia) : diagonal({0, 0, 0}),
+            .acceleration = gravity};
+}
+
+CarriedBody carried(const BodyState& body, Vec3 gravity) {
     const bool moves = body.awake || body.type == BodyType::kinematic;
     return {.id = body.id,
             .type = body.type,
@@ -53,7 +65,7 @@ CarriedBody carried(const BodyState& body) {
             .start_center = body.center,
             .rotation = body.pose.rotation,
             .origin = {inverse_rotate(body.pose.rotation, body.pose.position - body.center), {}},
-            .response = {},
+            .response = response_of(body, gravity),
             .impulse = {},
             .angular_impulse = {},
             .shares = 0};
@@ -65,7 +77,7 @@ std::uint32_t carry(const World& world, Rope& rope, BodyId id) {
         if (rope.bodies[k].id == id) return static_cast<std::uint32_t>(k);
     const Result<BodyState> body = world.body(id);
     if (!body.ok()) return no_body;
-    rope.bodies.push_back(carried(*body));
+    rope.bodies.push_back(carried(*body, world.gravity()));
     return static_cast<std::uint32_t>(rope.bodies.size() - 1);
 }
 
@@ -160,7 +172,10 @@ private:
     CarriedBody* body_of(std::uint32_t index) {
         return index == no_body ? nullptr : &rope_.bodies[index];
     }
-    static bool is_pushed(const CarriedBody& body) { return body.in_group; }
+    static bool is_pushed(const CarriedBody& body) {
+        return body.response.inverse_mass != Vec3{} ||
+               body.response.inverse_inertia.x != Vec3{};
+    }
 
     void read_group() {
         for (CarriedBody& body : rope_.bodies) {
@@ -271,7 +286,7 @@ private:
 
     // Motion of a point of a body in this part of the sub-step without the rope.
     Vec3 travel_of(const CarriedBody& body, Vec3 arm) const {
-        const Vec3 acceleration = body.in_group ? body.response.acceleration : Vec3{};
+        const Vec3 acceleration = body.response.acceleration;
         const Vec3 turned = rotate(from_rotation_vector(body.spin * h_), arm) - arm;
         return (body.velocity + acceleration * h_) * h_ + turned;
     }
@@ -336,7 +351,6 @@ private:
     void push(CarriedBody& body, Vec3 impulse, Vec3 angular, int) {
         body.impulse += impulse;
         body.angular_impulse += angular + cross(body.center - body.start_center, impulse);
-        if (!body.in_group) return;
         body.velocity += scaled(impulse, body.response.inverse_mass);
         body.spin += body.response.inverse_inertia * angular;
     }
@@ -363,10 +377,10 @@ private:
         rope_.contacts.clear();
         for (std::size_t k = 0; k < rope_.strand_contacts.size(); k++) {
             const StrandContact& contact = rope_.strand_contacts[k];
+            touch(rope_.bodies[rope_.contact_body[k]]);
             if (contact.grip == ContactGrip::open) continue;
             rope_.contacts.push_back({contact.link, rope_.nearby.shape(rope_.contact_shape[k]),
                                       contact.grip, contact.slip, contact.pressure});
-            touch(rope_.bodies[rope_.contact_body[k]]);
         }
     }
     void touch(const CarriedBody& body) {
@@ -381,7 +395,7 @@ private:
     void move_bodies() {
         for (CarriedBody& body : rope_.bodies) {
             if (body.type == BodyType::static_body) continue;
-            if (body.in_group) body.velocity += body.response.acceleration * h_;
+            body.velocity += body.response.acceleration * h_;
             body.center += body.velocity * h_;
             if (body.spin != Vec3{})
                 body.rotation =

@@ -63,16 +63,15 @@ SceneModule rope_module() {
     return {.tag = "rope", .settings = {}, .bodies = {}, .state = {}};
 }
 
+// Characters in a row that stand until a client controls them.
 SceneModule walkers(SceneDescription& scene, Vec3 first, int count) {
     SceneModule module{.tag = "character", .settings = {}, .bodies = {}, .state = {}};
     for (int k = 0; k < count; k++) {
-        SceneBody walker = dynamic_body("walker " + std::to_string(k + 1),
-                                        first + Vec3{-1.2 * k, 0, 0}, Capsule{0.3, 0.5});
+        const std::string name = "walker" + std::to_string(k + 1);
+        SceneBody walker = dynamic_body(name, first + Vec3{-1.2 * k, 0, 0}, Capsule{0.28, 0.6});
         walker.body.type = BodyType::kinematic;
+        module.bodies[name] = scene.bodies.size();
         scene.bodies.push_back(colored(walker, 0xf4a261));
-        module.objects.push_back({.list = "characters",
-                                  .settings = {{"height", 1.6}},
-                                  .bodies = {{"body", scene.bodies.size() - 1}}});
     }
     return module;
 }
@@ -146,7 +145,7 @@ SceneDescription rope_bridge() {
         .attach(0, {half_span + 0.5, bank + 0.05, 3})
         .add_to(ropes);
     scene.modules.push_back(ropes);
-    scene.modules.push_back(walkers(scene, {-half_span - 1.5, bank + 0.9, 0}, 3));
+    scene.modules.push_back(walkers(scene, {-half_span - 1.5, bank + 0.91, 0}, 3));
     return scene;
 }
 
@@ -207,7 +206,7 @@ SceneDescription swings() {
         .attach(40, scene.bodies.size() - 1, {0, 0.5, 0})
         .add_to(ropes);
     scene.modules.push_back(ropes);
-    scene.modules.push_back(walkers(scene, {2, 0.9, 4}, 2));
+    scene.modules.push_back(walkers(scene, {2, 0.91, 4}, 2));
     return scene;
 }
 

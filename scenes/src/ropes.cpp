@@ -4,6 +4,7 @@
 // climbing rope and a crane with a winch.
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "scenes/src/scene_helpers.h"
 
@@ -76,44 +77,69 @@ SceneModule walkers(SceneDescription& scene, Vec3 first, int count) {
     return module;
 }
 
-// Half of the span of the bridge, the height of its banks, and the distance of its ropes.
-constexpr double half_span = 6, bank = 6, rope_side = 0.7;
+// Half of the span of the bridge, the height of its banks, the distance of its ropes and its sag.
+constexpr double half_span = 6, bank = 6, rope_side = 0.7, sag = 0.6;
 constexpr int planks = 20, links_per_plank = 2;
 
-// The planks lie on the ropes, which are attached to their sides.
+// Height of the ropes, a parabola.
+double deck_height(double x) {
+    return bank - sag * (1 - x * x / (half_span * half_span));
+}
+
+// The line of a rope from bank to bank.
+std::vector<Vec3> deck_line(double height, double z) {
+    std::vector<Vec3> line;
+    for (int k = -8; k <= 8; k++) {
+        const double x = half_span * k / 8;
+        line.push_back({x, deck_height(x) + height, z});
+    }
+    return line;
+}
+
+// The point at a fraction of the length of a line, where the module places its nodes.
+Vec3 point_of(const std::vector<Vec3>& line, double fraction) {
+    double whole = 0;
+    for (std::size_t k = 1; k < line.size(); k++) whole += length(line[k] - line[k - 1]);
+    double left = fraction * whole;
+    for (std::size_t k = 1; k < line.size(); k++) {
+        const double piece = length(line[k] - line[k - 1]);
+        if (left <= piece) return line[k - 1] + (line[k] - line[k - 1]) * (left / piece);
+        left -= piece;
+    }
+    return line.back();
+}
+
+// A rope from bank to bank at a height above the deck.
+RopeObject side_rope(std::uint32_t links, double radius, double height, double z) {
+    RopeObject rope(links, radius, 0.6);
+    rope.set("stretch_stiffness", 2e7).set("damping", 0.5);
+    for (const Vec3 point : deck_line(height, z)) rope.point(point);
+    rope.attach(0, {-half_span, bank + height, z}).attach(links, {half_span, bank + height, z});
+    return rope;
+}
+
+// The ropes are attached to the sides of the planks.
 void add_bridge(SceneDescription& scene, SceneModule& ropes) {
     const std::uint32_t links = links_per_plank * (planks + 1);
-    RopeObject sides[2] = {RopeObject(links, 0.03, 0.6), RopeObject(links, 0.03, 0.6)};
-    for (int s = 0; s < 2; s++) {
-        const double z = s == 0 ? -rope_side : rope_side;
-        // Slightly longer than the span, so that the bridge sags by about half a metre.
-        sides[s].set("length", 2 * half_span * 1.006).set("breaking_load", 30000);
-        sides[s].point({-half_span, bank, z}).point({half_span, bank, z});
-        sides[s].attach(0, {-half_span, bank, z}).attach(links, {half_span, bank, z});
-    }
+    RopeObject sides[2] = {side_rope(links, 0.03, 0, -rope_side),
+                           side_rope(links, 0.03, 0, rope_side)};
     const double spacing = 2 * half_span / (planks + 1);
     for (int k = 0; k < planks; k++) {
-        const double x = -half_span + (k + 1) * spacing;
-        SceneBody plank = dynamic_body("plank " + std::to_string(k + 1), {x, bank, 0},
-                                       Box{{0.42 * spacing, 0.03, rope_side + 0.05}});
-        plank.shapes[0].density = 500;
+        SceneBody plank =
+            dynamic_body("plank " + std::to_string(k + 1),
+                         point_of(deck_line(0, 0), (k + 1.0) / (planks + 1)), Box{{0.42 * spacing, 0.03, rope_side + 0.05}});
+        plank.shapes[0].density = 300;
         plank.shapes[0].material.friction = 0.9;
+        plank.body.linear_damping = 0.3;
+        plank.body.angular_damping = 1;
         scene.bodies.push_back(colored(plank, 0x9c6644));
         const auto node = static_cast<std::uint32_t>(links_per_plank * (k + 1));
         for (int s = 0; s < 2; s++)
             sides[s].attach(node, scene.bodies.size() - 1,
                             {0, 0, s == 0 ? -rope_side : rope_side});
     }
-    for (const RopeObject& side : sides) side.add_to(ropes);
-    // Handrails.
-    for (const double z : {-rope_side, rope_side})
-        RopeObject(40, 0.02, 0.3)
-            .set("length", 2 * half_span * 1.006)
-            .point({-half_span, bank + 1, z})
-            .point({half_span, bank + 1, z})
-            .attach(0, {-half_span, bank + 1, z})
-            .attach(40, {half_span, bank + 1, z})
-            .add_to(ropes);
+    for (RopeObject& side : sides) side.set("breaking_load", 30000).add_to(ropes);
+    for (const double z : {-rope_side, rope_side}) side_rope(40, 0.02, 1, z).add_to(ropes);
 }
 
 }  // namespace

@@ -29,6 +29,13 @@ struct TouchedBody {
     std::uint32_t steps_since = 0;
 };
 
+// The impulse that the rope gave to a body in its last sub-step. Ropes that share a body start from
+// these, so that each carries its part.
+struct BodyPush {
+    physics::BodyId body = {};
+    physics::Vec3 impulse = {}, angular_impulse = {};  // N s, N m s about the centre
+};
+
 // A body in a sub-step of the rope. Its motion includes the impulses of the rope.
 struct CarriedBody {
     physics::BodyId id = {};
@@ -40,6 +47,7 @@ struct CarriedBody {
     physics::Transform origin = {};  // of the body relative to its centre
     physics::BodyResponse response = {};
     physics::Vec3 impulse = {}, angular_impulse = {};  // of the rope in this sub-step
+    physics::Vec3 expected = {}, expected_angular = {};  // of the last sub-step
     std::uint32_t shares = 0;  // attachments and contacts that share its mass
 };
 
@@ -54,6 +62,7 @@ struct Rope {
     double rest_time = 0;               // s
     std::vector<SavedContact> contacts;  // of the last sub-step
     std::vector<TouchedBody> touched;    // sorted by body
+    std::vector<BodyPush> pushes;        // of the last sub-step, sorted by body
     IslandTies ties;
 
     // Data of the current step. Not state.

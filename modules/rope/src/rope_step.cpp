@@ -2,6 +2,7 @@
 #include "modules/rope/src/rope_step.h"
 
 #include <algorithm>
+#include <utility>
 
 #include "jostle/base/check.h"
 #include "jostle/physics/scalar.h"
@@ -81,6 +82,23 @@ std::uint32_t carry(const World& world, Rope& rope, BodyId id) {
     return static_cast<std::uint32_t>(rope.bodies.size() - 1);
 }
 
+void expect_pushes(Rope& rope) {
+    for (CarriedBody& body : rope.bodies) {
+        const auto at = std::ranges::lower_bound(rope.pushes, body.id, {}, &BodyPush::body);
+        if (at == rope.pushes.end() || at->body != body.id) continue;
+        body.expected = at->impulse;
+        body.expected_angular = at->angular_impulse;
+    }
+}
+
+void save_pushes(Rope& rope) {
+    rope.pushes.clear();
+    for (const CarriedBody& body : rope.bodies)
+        if (body.expected != Vec3{} || body.expected_angular != Vec3{})
+            rope.pushes.push_back({body.id, body.expected, body.expected_angular});
+    std::ranges::sort(rope.pushes, {}, &BodyPush::body);
+}
+
 void find_bodies(const World& world, Rope& rope) {
     rope.bodies.clear();
     rope.attached_body.clear();
@@ -90,6 +108,7 @@ void find_bodies(const World& world, Rope& rope) {
                                                               : carry(world, rope, attachment.body));
     for (const NearbyShapes::Body& body : rope.nearby.bodies())
         rope.nearby_body.push_back(carry(world, rope, body.id));
+    expect_pushes(rope);
 }
 
 // Destroyed bodies release the rope.
@@ -138,6 +157,11 @@ void tie_bodies(World& world, Rope& rope) {
 
 // ---- a sub-step ----
 
+void push_body(SubstepContext& group, const CarriedBody& body, Vec3 impulse, Vec3 angular) {
+    if (impulse != Vec3{}) group.add_impulse(body.id, impulse, group.body(body.id).center);
+    if (angular != Vec3{}) group.add_angular_impulse(body.id, angular);
+}
+
 class Advance {
 public:
     Advance(Rope& rope, const RopeSubstep& substep, int parts, double dt)
@@ -184,21 +208,25 @@ private:
             if (!body.in_group) continue;
             const MovingBody now = substep_.group->body(body.id);
             body.center = body.start_center = now.center;
-            body.velocity = now.linear_velocity;
-            body.spin = now.angular_velocity;
             body.rotation = now.pose.rotation;
             body.response = substep_.group->response(body.id);
+            body.velocity =
+                now.linear_velocity - scaled(body.expected, body.response.inverse_mass);
+            body.spin =
+                now.angular_velocity - body.response.inverse_inertia * body.expected_angular;
             body.impulse = body.angular_impulse = {};
         }
     }
     void write_group() {
         for (CarriedBody& body : rope_.bodies) {
-            if (!body.in_group) continue;
-            if (body.impulse != Vec3{})
-                substep_.group->add_impulse(body.id, body.impulse, body.start_center);
-            if (body.angular_impulse != Vec3{})
-                substep_.group->add_angular_impulse(body.id, body.angular_impulse);
-            body.impulse = body.angular_impulse = {};
+            if (!body.in_group) {
+                body.expected = body.expected_angular = {};
+                continue;
+            }
+            push_body(*substep_.group, body, body.impulse - body.expected,
+                      body.angular_impulse - body.expected_angular);
+            body.expected = std::exchange(body.impulse, {});
+            body.expected_angular = std::exchange(body.angular_impulse, {});
         }
     }
 
@@ -449,6 +477,12 @@ void begin_step(World& world, Rope& rope, double dt) {
     find_bodies(world, rope);
 }
 
+void push_as_before(Rope& rope, SubstepContext& group) {
+    for (const CarriedBody& body : rope.bodies)
+        if (body.type == BodyType::dynamic && group.contains(body.id))
+            push_body(group, body, body.expected, body.expected_angular);
+}
+
 void advance(Rope& rope, const RopeSubstep& substep, int count) {
     ASSERT(count >= 1 && substep.h > 0);
     const int least = static_cast<int>(rope.def.substeps);
@@ -459,6 +493,7 @@ void advance(Rope& rope, const RopeSubstep& substep, int count) {
 
 void end_step(World& world, Rope& rope, double dt) {
     if (!rope.awake) return;
+    save_pushes(rope);
     bool bodies_rest = true;
     for (const CarriedBody& body : rope.bodies) {
         if (body.type != BodyType::dynamic) continue;

@@ -335,6 +335,8 @@ void Ropes::before_step(World& world, double dt) {
 void Ropes::before_substep(SubstepContext& substep) {
     const rope_detail::RopeSubstep own{substep.h(), substep.world().gravity(), &substep};
     for (const auto& rope : ropes_)
+        if (rope->awake && rope->ties.owned_by(substep)) rope_detail::push_as_before(*rope, substep);
+    for (const auto& rope : ropes_)
         if (rope->awake && rope->ties.owned_by(substep))
             rope_detail::advance(*rope, own, substep.count());
 }

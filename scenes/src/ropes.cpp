@@ -125,9 +125,9 @@ void add_bridge(SceneDescription& scene, SceneModule& ropes) {
                            side_rope(links, 0.03, 0, rope_side)};
     const double spacing = 2 * half_span / (planks + 1);
     for (int k = 0; k < planks; k++) {
-        SceneBody plank =
-            dynamic_body("plank " + std::to_string(k + 1),
-                         point_of(deck_line(0, 0), (k + 1.0) / (planks + 1)), Box{{0.42 * spacing, 0.03, rope_side + 0.05}});
+        SceneBody plank = dynamic_body("plank " + std::to_string(k + 1),
+                                       point_of(deck_line(0, 0), (k + 1.0) / (planks + 1)),
+                                       Box{{0.42 * spacing, 0.03, rope_side + 0.05}});
         plank.shapes[0].density = 300;
         plank.shapes[0].material.friction = 0.9;
         plank.body.linear_damping = 0.3;
@@ -135,8 +135,7 @@ void add_bridge(SceneDescription& scene, SceneModule& ropes) {
         scene.bodies.push_back(colored(plank, 0x9c6644));
         const auto node = static_cast<std::uint32_t>(links_per_plank * (k + 1));
         for (int s = 0; s < 2; s++)
-            sides[s].attach(node, scene.bodies.size() - 1,
-                            {0, 0, s == 0 ? -rope_side : rope_side});
+            sides[s].attach(node, scene.bodies.size() - 1, {0, 0, s == 0 ? -rope_side : rope_side});
     }
     for (RopeObject& side : sides) side.set("breaking_load", 30000).add_to(ropes);
     for (const double z : {-rope_side, rope_side}) side_rope(40, 0.02, 1, z).add_to(ropes);
@@ -158,8 +157,8 @@ SceneDescription rope_bridge() {
     add_bridge(scene, ropes);
     // Sacks to carry across or to drop, and a rope that hangs from the bank.
     for (int k = 0; k < 4; k++) {
-        SceneBody sack = dynamic_body("sack", {-half_span - 2 - 0.8 * k, bank + 0.4, 2.5},
-                                      Sphere{0.35});
+        SceneBody sack =
+            dynamic_body("sack", {-half_span - 2 - 0.8 * k, bank + 0.4, 2.5}, Sphere{0.35});
         sack.shapes[0].density = 200;
         sack.shapes[0].material = {.friction = 0.9, .rolling_friction = 0.1};
         scene.bodies.push_back(colored(sack, 0xc9ada7));
@@ -185,8 +184,8 @@ SceneDescription swings() {
         scene.bodies.push_back(colored(fixed_box("leg", {x, 2, 0}, {0.1, 2, 0.1}), 0x7f5539));
     for (int k = 0; k < 3; k++) {
         const double x = 2.4 * (k - 1);
-        SceneBody seat = dynamic_body("seat " + std::to_string(k + 1), {x, 0.8, 0},
-                                      Box{{0.35, 0.04, 0.2}});
+        SceneBody seat =
+            dynamic_body("seat " + std::to_string(k + 1), {x, 0.8, 0}, Box{{0.35, 0.04, 0.2}});
         seat.shapes[0].density = 400;
         seat.shapes[0].material.friction = 0.9;
         // They swing from the start.
@@ -203,8 +202,8 @@ SceneDescription swings() {
                 .add_to(ropes);
     }
     // A tyre on one rope, and a rope to climb.
-    SceneBody tyre = dynamic_body("tyre", {7, 1.2, 0}, Cylinder{0.5, 0.15},
-                                  from_axis_angle({1, 0, 0}, pi / 2));
+    SceneBody tyre =
+        dynamic_body("tyre", {7, 1.2, 0}, Cylinder{0.5, 0.15}, from_axis_angle({1, 0, 0}, pi / 2));
     tyre.shapes[0].density = 120;
     scene.bodies.push_back(colored(tyre, 0x343a40));
     RopeObject(30, 0.03, 0.5)

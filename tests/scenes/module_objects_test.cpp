@@ -12,11 +12,11 @@
 #include <memory>
 
 #include "jostle/modules/crowd.h"
-#include "jostle/modules/rope.h"
 #include "jostle/modules/destruction.h"
 #include "jostle/modules/fields.h"
 #include "jostle/modules/fracture_file.h"
 #include "jostle/modules/particles.h"
+#include "jostle/modules/rope.h"
 #include "jostle/modules/vehicle.h"
 #include "jostle/scenes/catalog.h"
 #include "jostle/scenes/scene_file.h"

@@ -72,8 +72,8 @@ Status check(const RopeDef& def) {
     for (const Status& s : checks)
         if (!s.ok()) return s;
     if (def.length > 0 && def.length < 1e-3 * def.links)
-        return Error{ErrorCode::invalid_argument, "length: " + text(def.length) +
-                                                      " m is less than 1 mm per link"};
+        return Error{ErrorCode::invalid_argument,
+                     "length: " + text(def.length) + " m is less than 1 mm per link"};
     return {};
 }
 
@@ -89,9 +89,9 @@ Status check(const RopeAttachment& attachment, std::size_t links) {
                          " is not an end; must be zero except at node 0 and node " +
                          std::to_string(links)};
     if (length(attachment.direction) > 1e-6) return {};
-    return Error{ErrorCode::invalid_argument,
-                 "direction: the length " + text(length(attachment.direction)) +
-                     " is too small; must be more than 1e-6"};
+    return Error{ErrorCode::invalid_argument, "direction: the length " +
+                                                  text(length(attachment.direction)) +
+                                                  " is too small; must be more than 1e-6"};
 }
 
 }  // namespace jostle::modules::rope_detail

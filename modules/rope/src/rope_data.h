@@ -46,7 +46,7 @@ struct CarriedBody {
     physics::Quat rotation = {};
     physics::Transform origin = {};  // of the body relative to its centre
     physics::BodyResponse response = {};
-    physics::Vec3 impulse = {}, angular_impulse = {};  // of the rope in this sub-step
+    physics::Vec3 impulse = {}, angular_impulse = {};    // of the rope in this sub-step
     physics::Vec3 expected = {}, expected_angular = {};  // of the last sub-step
     std::uint32_t shares = 0;  // attachments and contacts that share its mass
 };
@@ -59,7 +59,7 @@ struct Rope {
     double winch[2] = {0, 0};                 // m/s, by end
     double link_length = 0;                   // m, of links that a winch adds
     bool awake = true;
-    double rest_time = 0;               // s
+    double rest_time = 0;                // s
     std::vector<SavedContact> contacts;  // of the last sub-step
     std::vector<TouchedBody> touched;    // sorted by body
     std::vector<BodyPush> pushes;        // of the last sub-step, sorted by body
@@ -67,8 +67,8 @@ struct Rope {
 
     // Data of the current step. Not state.
     int substeps_done = 0;
-    bool owned = false;             // a group moves it
-    double peak_tension = 0;        // N
+    bool owned = false;       // a group moves it
+    double peak_tension = 0;  // N
     std::size_t peak_link = 0;
     physics::NearbyShapes nearby;
     std::vector<CarriedBody> bodies;  // first those of the attachments, then those of `nearby`

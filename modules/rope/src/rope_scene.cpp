@@ -19,7 +19,8 @@ namespace {
 // Reads the settings of one rope: items of lists are named "points1_position_x".
 class RopeSettings {
 public:
-    explicit RopeSettings(const ModuleSettings& settings) : settings_(settings), reader_(settings) {}
+    explicit RopeSettings(const ModuleSettings& settings)
+        : settings_(settings), reader_(settings) {}
 
     Status read(RopeDef& def, std::vector<RopeAttachment>& attachments, double (&winch)[2]) {
         list("points", RopeDef::points_max, [&](const std::string& item) {

@@ -74,7 +74,8 @@ void visit_strand(StateVisitor& v, Strand& s) {
         v.fail("strand.velocities", "are out of range");
     if (std::ranges::any_of(s.rest_lengths, [](double x) { return !(x >= 1e-6 && x <= 1e6); }))
         v.fail("strand.rest_lengths", "are out of range; must be between 1e-6 and 1e6 m");
-    if (std::ranges::any_of(s.force_densities, [](double x) { return !(std::abs(x) <= tension_max); }))
+    if (std::ranges::any_of(s.force_densities,
+                            [](double x) { return !(std::abs(x) <= tension_max); }))
         v.fail("strand.force_densities", "are out of range");
 }
 
@@ -118,7 +119,8 @@ void visit_contacts(StateVisitor& v, Rope& rope) {
         v.field("impulse", push.impulse);
         v.field("angular_impulse", push.angular_impulse);
         if (v.loading() && !v.failed() &&
-            (!is_within(push.impulse, impulse_max) || !is_within(push.angular_impulse, impulse_max)))
+            (!is_within(push.impulse, impulse_max) ||
+             !is_within(push.angular_impulse, impulse_max)))
             v.fail("impulse", "is out of range");
     });
     if (!v.loading() || v.failed()) return;

@@ -104,8 +104,8 @@ void find_bodies(const World& world, Rope& rope) {
     rope.attached_body.clear();
     rope.nearby_body.clear();
     for (const RopeAttachment& attachment : rope.attachments)
-        rope.attached_body.push_back(is_null(attachment.body) ? no_body
-                                                              : carry(world, rope, attachment.body));
+        rope.attached_body.push_back(
+            is_null(attachment.body) ? no_body : carry(world, rope, attachment.body));
     for (const NearbyShapes::Body& body : rope.nearby.bodies())
         rope.nearby_body.push_back(carry(world, rope, body.id));
     expect_pushes(rope);
@@ -197,8 +197,7 @@ private:
         return index == no_body ? nullptr : &rope_.bodies[index];
     }
     static bool is_pushed(const CarriedBody& body) {
-        return body.response.inverse_mass != Vec3{} ||
-               body.response.inverse_inertia.x != Vec3{};
+        return body.response.inverse_mass != Vec3{} || body.response.inverse_inertia.x != Vec3{};
     }
 
     void read_group() {
@@ -210,8 +209,7 @@ private:
             body.center = body.start_center = now.center;
             body.rotation = now.pose.rotation;
             body.response = substep_.group->response(body.id);
-            body.velocity =
-                now.linear_velocity - scaled(body.expected, body.response.inverse_mass);
+            body.velocity = now.linear_velocity - scaled(body.expected, body.response.inverse_mass);
             body.spin =
                 now.angular_velocity - body.response.inverse_inertia * body.expected_angular;
             body.impulse = body.angular_impulse = {};
@@ -235,9 +233,9 @@ private:
             const CarriedBody* body = body_of(rope_.nearby_body[k]);
             if (body == nullptr || body->type == BodyType::static_body) continue;
             if (!body->in_group && body->velocity == Vec3{} && body->spin == Vec3{}) continue;
-            rope_.nearby.place(k, body->center,
-                               body->rotation *
-                                   conjugate(rope_.nearby.bodies()[k].origin.rotation));
+            rope_.nearby.place(
+                k, body->center,
+                body->rotation * conjugate(rope_.nearby.bodies()[k].origin.rotation));
         }
     }
 
@@ -249,9 +247,9 @@ private:
         rope_.contact_shape.clear();
         rope_.contact_point.clear();
         if (rope_.nearby.size() == 0) return;
-        const double margin = 0.25 * rope_.def.radius + h_ * (greatest_speed(rope_.strand) +
-                                                              fastest_body() +
-                                                              h_ * length(substep_.gravity));
+        const double margin =
+            0.25 * rope_.def.radius +
+            h_ * (greatest_speed(rope_.strand) + fastest_body() + h_ * length(substep_.gravity));
         for (std::uint32_t k = 0; k < rope_.strand.links(); k++) find_contacts_of(k, margin);
     }
     double fastest_body() const {
@@ -330,8 +328,7 @@ private:
             const Mat3 response = response_at(body, arm);
             const double normal = dot(contact.normal, response * contact.normal);
             contact.response_normal = normal;
-            contact.response_tangent =
-                0.5 * (response.x.x + response.y.y + response.z.z - normal);
+            contact.response_tangent = 0.5 * (response.x.x + response.y.y + response.z.z - normal);
         }
     }
 
@@ -347,8 +344,7 @@ private:
             NodeLoad load{.node = attachment.node, .fixed = true, .target = attachment.point};
             Vec3 direction = attachment.direction;
             if (const CarriedBody* body = body_of(index)) {
-                const Vec3 arm =
-                    rotate(body->rotation, attachment.point - origin_offset(*body));
+                const Vec3 arm = rotate(body->rotation, attachment.point - origin_offset(*body));
                 load.target = body->center + arm + travel_of(*body, arm);
                 direction = rotate(from_rotation_vector(body->spin * h_),
                                    rotate(body->rotation, direction));
@@ -386,14 +382,13 @@ private:
     void take_impulses() {
         for (std::size_t k = 0; k < rope_.attachments.size(); k++)
             if (CarriedBody* body = body_of(rope_.attached_body[k])) {
-                const Vec3 arm = rotate(body->rotation,
-                                        rope_.attachments[k].point - origin_offset(*body));
+                const Vec3 arm =
+                    rotate(body->rotation, rope_.attachments[k].point - origin_offset(*body));
                 push(*body, rope_.loads[k].impulse, body->center + arm);
             }
         for (std::size_t k = 0; k < rope_.clamps.size(); k++)
             if (CarriedBody* body = body_of(rope_.clamp_body[k]))
-                if (body->type == BodyType::dynamic)
-                    push(*body, {}, rope_.clamps[k].moment, 0);
+                if (body->type == BodyType::dynamic) push(*body, {}, rope_.clamps[k].moment, 0);
         for (std::size_t k = 0; k < rope_.strand_contacts.size(); k++) {
             const StrandContact& contact = rope_.strand_contacts[k];
             if (contact.grip == ContactGrip::open) continue;
@@ -426,8 +421,7 @@ private:
             body.velocity += body.response.acceleration * h_;
             body.center += body.velocity * h_;
             if (body.spin != Vec3{})
-                body.rotation =
-                    normalized(from_rotation_vector(body.spin * h_) * body.rotation);
+                body.rotation = normalized(from_rotation_vector(body.spin * h_) * body.rotation);
         }
     }
 
@@ -470,9 +464,8 @@ void begin_step(World& world, Rope& rope, double dt) {
                             {.categories = rope.def.body_categories});
     if (!rope.awake && is_disturbed(world, rope)) wake(rope);
     if (!rope.awake) return;
-    std::erase_if(rope.touched, [](TouchedBody& body) {
-        return body.steps_since++ >= touch_memory;
-    });
+    std::erase_if(rope.touched,
+                  [](TouchedBody& body) { return body.steps_since++ >= touch_memory; });
     if (speed > rest_speed || rope.rest_time == 0) tie_bodies(world, rope);
     find_bodies(world, rope);
 }

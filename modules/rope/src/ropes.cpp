@@ -68,8 +68,8 @@ Ropes::Ropes() = default;
 Ropes::~Ropes() = default;
 
 Rope* Ropes::find(RopeKey key) const {
-    const auto at = std::ranges::lower_bound(ropes_, key, {},
-                                             [](const auto& rope) { return rope->key; });
+    const auto at =
+        std::ranges::lower_bound(ropes_, key, {}, [](const auto& rope) { return rope->key; });
     return at != ropes_.end() && (*at)->key == key ? at->get() : nullptr;
 }
 
@@ -122,9 +122,9 @@ Result<RopeKey> Ropes::add(World&, const RopeDef& def) {
         return Error{ErrorCode::resource_exhausted,
                      "there are " + std::to_string(ropes_max) + " ropes already"};
     if (link_count() + def.links > links_max)
-        return Error{ErrorCode::resource_exhausted,
-                     "links: all ropes would have more than " + std::to_string(links_max) +
-                         " links; reduce the links of this rope"};
+        return Error{ErrorCode::resource_exhausted, "links: all ropes would have more than " +
+                                                        std::to_string(links_max) +
+                                                        " links; reduce the links of this rope"};
     auto rope = std::make_unique<Rope>();
     rope->key = {++last_key_};
     rope->def = def;
@@ -148,14 +148,15 @@ Status Ropes::attach(World& world, RopeKey key, const RopeAttachment& attachment
     if (Status s = rope_detail::check(attachment, rope->strand.links()); !s.ok()) return s;
     if (!is_null(attachment.body) && !world.contains(attachment.body))
         return Error{ErrorCode::not_found, "body: no body has this id"};
-    const auto at = std::ranges::lower_bound(rope->attachments, attachment.node, {},
-                                             &RopeAttachment::node);
+    const auto at =
+        std::ranges::lower_bound(rope->attachments, attachment.node, {}, &RopeAttachment::node);
     if (at != rope->attachments.end() && at->node == attachment.node) {
         *at = attachment;
     } else {
         if (rope->attachments.size() >= attachments_max)
-            return Error{ErrorCode::resource_exhausted,
-                         "the rope has " + std::to_string(attachments_max) + " attachments already"};
+            return Error{
+                ErrorCode::resource_exhausted,
+                "the rope has " + std::to_string(attachments_max) + " attachments already"};
         rope->attachments.insert(at, attachment);
     }
     rope_detail::wake(*rope);
@@ -181,8 +182,7 @@ Status Ropes::set_winch(World&, RopeKey key, RopeEnd end, double speed) {
         return Error{ErrorCode::invalid_argument,
                      "speed: " + std::to_string(speed) +
                          " is out of range; must be between -100 and 100 m/s"};
-    const auto node =
-        end == RopeEnd::first ? 0u : static_cast<std::uint32_t>(rope->strand.links());
+    const auto node = end == RopeEnd::first ? 0u : static_cast<std::uint32_t>(rope->strand.links());
     if (speed != 0 && std::ranges::find(rope->attachments, node, &RopeAttachment::node) ==
                           rope->attachments.end())
         return Error{ErrorCode::failed_precondition,
@@ -262,9 +262,9 @@ Status Ropes::join(World& world, RopeKey key, RopeKey next_key) {
                      "radius; they must be equal"};
     Strand &a = rope->strand, &b = next->strand;
     if (a.links() + b.links() + 1 > RopeDef::links_max)
-        return Error{ErrorCode::resource_exhausted,
-                     "the joined rope would have more than " + std::to_string(RopeDef::links_max) +
-                         " links"};
+        return Error{ErrorCode::resource_exhausted, "the joined rope would have more than " +
+                                                        std::to_string(RopeDef::links_max) +
+                                                        " links"};
     const double gap = length(b.positions.front() - a.positions.back());
     const double longest = std::max(*std::ranges::max_element(a.rest_lengths),
                                     *std::ranges::max_element(b.rest_lengths));
@@ -297,9 +297,8 @@ Status Ropes::join(World& world, RopeKey key, RopeKey next_key) {
 // ---- the step ----
 
 StepHooks Ropes::hooks() const {
-    const bool owned = std::ranges::any_of(ropes_, [](const auto& rope) {
-        return rope->awake && !rope->ties.bodies().empty();
-    });
+    const bool owned = std::ranges::any_of(
+        ropes_, [](const auto& rope) { return rope->awake && !rope->ties.bodies().empty(); });
     return {.substeps = owned, .pre_solve = false, .concurrent = true};
 }
 
@@ -310,8 +309,7 @@ void Ropes::before_step(World& world, double dt) {
     std::int64_t work = 0;
     for (const auto& rope : ropes_) {
         if (rope->winch[0] != 0 || rope->winch[1] != 0)
-            rope_detail::keep_link_lengths(*rope,
-                                           links_max - std::min(links_max, link_count()));
+            rope_detail::keep_link_lengths(*rope, links_max - std::min(links_max, link_count()));
         rope_detail::begin_step(world, *rope, dt);
         if (!rope->awake) continue;
         work += static_cast<std::int64_t>(rope->strand.links()) *
@@ -335,7 +333,8 @@ void Ropes::before_step(World& world, double dt) {
 void Ropes::before_substep(SubstepContext& substep) {
     const rope_detail::RopeSubstep own{substep.h(), substep.world().gravity(), &substep};
     for (const auto& rope : ropes_)
-        if (rope->awake && rope->ties.owned_by(substep)) rope_detail::push_as_before(*rope, substep);
+        if (rope->awake && rope->ties.owned_by(substep))
+            rope_detail::push_as_before(*rope, substep);
     for (const auto& rope : ropes_)
         if (rope->awake && rope->ties.owned_by(substep))
             rope_detail::advance(*rope, own, substep.count());
@@ -348,13 +347,12 @@ void Ropes::after_step(World& world, double dt) {
         Rope& rope = *ropes_[k];
         if (!rope.awake) continue;
         // Its bodies were in no group, for example because the step was stopped.
-        if (rope.substeps_done == 0)
-            rope_detail::advance(rope, {dt, world.gravity(), nullptr}, 1);
+        if (rope.substeps_done == 0) rope_detail::advance(rope, {dt, world.gravity(), nullptr}, 1);
         rope_detail::end_step(world, rope, dt);
         if (rope.def.breaking_load == 0 || rope.peak_tension <= rope.def.breaking_load) continue;
         // Breaks at the inner node next to the link, or at its attachment if there is none.
-        const std::size_t node =
-            std::clamp<std::size_t>(rope.peak_link, 1, std::max<std::size_t>(rope.strand.links(), 2) - 1);
+        const std::size_t node = std::clamp<std::size_t>(
+            rope.peak_link, 1, std::max<std::size_t>(rope.strand.links(), 2) - 1);
         if (rope.strand.links() >= 2)
             static_cast<void>(split(world, rope, node, RopeEventKind::broken, rope.peak_tension));
     }

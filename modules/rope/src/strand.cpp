@@ -107,8 +107,7 @@ private:
             s.previous[i] = s.start[i] - strand_.velocities[i] * input_.h;
             Vec3 acceleration = input_.gravity;
             if (!input_.forces.empty()) acceleration += input_.forces[i] * (1 / s.masses[i]);
-            s.free_targets[i] =
-                s.start[i] + strand_.velocities[i] * input_.h + acceleration * h2_;
+            s.free_targets[i] = s.start[i] + strand_.velocities[i] * input_.h + acceleration * h2_;
         }
         for (const NodeLoad& load : input_.loads) s.nodes[load.node].fixed = load.fixed;
         restart();
@@ -306,7 +305,8 @@ private:
         return contact_point(c, strand_.positions) - contact_point(c, scratch_.start) - c.travel;
     }
     double contact_mass(const StrandContact& c) const {
-        return scratch_.masses[c.link] * (1 - c.fraction) + scratch_.masses[c.link + 1] * c.fraction;
+        return scratch_.masses[c.link] * (1 - c.fraction) +
+               scratch_.masses[c.link + 1] * c.fraction;
     }
     double normal_stiffness(const StrandContact& c) const {
         const double own = c.openings > 0 ? undecided_compliance : contact_compliance;
@@ -354,8 +354,7 @@ private:
     static bool has_friction(const StrandContact& c) {
         return c.friction > 0 && c.grip != ContactGrip::smooth;
     }
-    void add_friction(const StrandContact& c, Vec3 slid, Vec3& force,
-                      Symmetric3& stiffness) const {
+    void add_friction(const StrandContact& c, Vec3 slid, Vec3& force, Symmetric3& stiffness) const {
         const Symmetric3 plane = scalar_matrix(1) - outer(c.normal, 1);
         const double most = tangent_stiffness(c), limit = c.friction * c.pressure;
         const double distance = length(slid);
@@ -367,9 +366,8 @@ private:
                     stiffness + (plane - outer(c.slip, 1)) * minimum(limit / distance, most);
             return;
         }
-        const double k = c.grip == ContactGrip::drags && limit < most * distance
-                             ? limit / distance
-                             : most;
+        const double k =
+            c.grip == ContactGrip::drags && limit < most * distance ? limit / distance : most;
         force -= slid * k;
         stiffness = stiffness + plane * k;
     }
@@ -440,13 +438,13 @@ private:
             return true;
         }
         const double length = strand_.rest_lengths[k];
-        if (s.laws[k] != LinkLaw::slack || length_squared(edge(k)) <= length * length)
-            return false;
+        if (s.laws[k] != LinkLaw::slack || length_squared(edge(k)) <= length * length) return false;
         s.laws[k] = LinkLaw::undecided;
         return true;
     }
 
-    // Fraction of the Newton step within which no link changes by more than a quarter of its length.
+    // Fraction of the Newton step within which no link changes by more than a quarter of its
+    // length.
     double step_share() const {
         double share = 1;
         for (std::size_t k = 0; k < strand_.links(); k++) {
@@ -481,15 +479,13 @@ private:
             s.multipliers[k] += s.changes[k];
             const double length = strand_.rest_lengths[k];
             last_change_ =
-                maximum(last_change_,
-                        length_squared(s.displacements[k + 1] - s.displacements[k]) /
-                            (length * length));
+                maximum(last_change_, length_squared(s.displacements[k + 1] - s.displacements[k]) /
+                                          (length * length));
         }
         return share == 1 && last_change_ <= 2 * length_tolerance;
     }
     void move_back() {
-        for (std::size_t i = 0; i < nodes(); i++)
-            strand_.positions[i] -= scratch_.displacements[i];
+        for (std::size_t i = 0; i < nodes(); i++) strand_.positions[i] -= scratch_.displacements[i];
     }
 
     // Raises the weights of links whose tension has grown since they were chosen. Returns whether
@@ -533,8 +529,7 @@ private:
         const bool links_only = !bends() && input_.contacts.empty();
         if (!input_.loads.empty() && !links_only) assemble();
         for (NodeLoad& load : input_.loads) {
-            const Vec3 sum = !load.fixed
-                                 ? load.mass * (strand_.positions[load.node] - load.target)
+            const Vec3 sum = !load.fixed  ? load.mass * (strand_.positions[load.node] - load.target)
                              : links_only ? pull_of_links(load.node)
                                           : s.nodes[load.node].right;
             load.impulse = sum * inverse_h;
@@ -586,8 +581,8 @@ int advance_strand(Strand& strand, const SubstepInput& input, StrandScratch& scr
 double strand_energy(const Strand& strand, Vec3 gravity) {
     double energy = 0;
     for (std::size_t i = 0; i < strand.positions.size(); i++)
-        energy += node_mass(strand, i) * (0.5 * length_squared(strand.velocities[i]) -
-                                          dot(gravity, strand.positions[i]));
+        energy += node_mass(strand, i) *
+                  (0.5 * length_squared(strand.velocities[i]) - dot(gravity, strand.positions[i]));
     for (std::size_t k = 0; k < strand.links(); k++) {
         const double strain =
             length(strand.positions[k + 1] - strand.positions[k]) / strand.rest_lengths[k] - 1;

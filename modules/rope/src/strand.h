@@ -61,9 +61,9 @@ struct NodeLoad {
 
 // The direction of the strand at an end is held along `direction` (unit, out of the support).
 struct Clamp {
-    bool last = false;         // at the last node instead of the first one
-    physics::Vec3 direction = {};   // from the held node to its neighbour
-    physics::Vec3 moment = {};      // result: angular impulse on the support, N m s
+    bool last = false;             // at the last node instead of the first one
+    physics::Vec3 direction = {};  // from the held node to its neighbour
+    physics::Vec3 moment = {};     // result: angular impulse on the support, N m s
 };
 
 // How a contact acts: not at all, without friction (a contact that has just closed), without
@@ -74,27 +74,27 @@ enum class ContactGrip : std::uint8_t { open, smooth, sticks, slips, drags };
 // A contact of a point of a link with a moving plane.
 struct StrandContact {
     std::uint32_t link = 0;
-    double fraction = 0;            // along the link
-    physics::Vec3 normal = {};           // unit, out of the obstacle
-    double gap = 0;                 // m, at the start of the sub-step; negative: overlap
-    physics::Vec3 travel = {};           // m, of the obstacle's point during the sub-step without contact
-    double response_normal = 0;     // 1/kg, of the obstacle along the normal
-    double response_tangent = 0;    // 1/kg, across it
+    double fraction = 0;          // along the link
+    physics::Vec3 normal = {};    // unit, out of the obstacle
+    double gap = 0;               // m, at the start of the sub-step; negative: overlap
+    physics::Vec3 travel = {};    // m, of the obstacle's point during the sub-step without contact
+    double response_normal = 0;   // 1/kg, of the obstacle along the normal
+    double response_tangent = 0;  // 1/kg, across it
     double friction = 0;
     // State of the solution; the caller may start it with that of the last sub-step.
     ContactGrip grip = ContactGrip::open;
-    physics::Vec3 slip = {};     // unit direction of sliding, if it slips
-    double pressure = 0;    // normal impulse times h, kg m
+    physics::Vec3 slip = {};               // unit direction of sliding, if it slips
+    double pressure = 0;                   // normal impulse times h, kg m
     std::uint8_t openings = 0, flips = 0;  // in this sub-step
-    physics::Vec3 impulse = {};  // on the obstacle, N s
+    physics::Vec3 impulse = {};            // on the obstacle, N s
 };
 
 struct SubstepInput {
-    double h = 0;                             // s
-    physics::Vec3 gravity = {};                    // m/s^2
-    std::span<const physics::Vec3> forces = {};    // N per node, or empty
-    std::span<NodeLoad> loads = {};                // at most one per node
-    std::span<Clamp> clamps = {};                  // at held ends
+    double h = 0;                                // s
+    physics::Vec3 gravity = {};                  // m/s^2
+    std::span<const physics::Vec3> forces = {};  // N per node, or empty
+    std::span<NodeLoad> loads = {};              // at most one per node
+    std::span<Clamp> clamps = {};                // at held ends
     std::span<StrandContact> contacts = {};
     int iterations_max = 12;
 };
@@ -112,7 +112,7 @@ struct StrandScratch {
     std::vector<double> changes, multipliers, used_multipliers, masses;
     std::vector<TimeWeights> weights, bend_weights;  // per link, per node
     std::vector<LinkLaw> laws;                       // per link
-    int iterations = 0;  // of the last sub-step
+    int iterations = 0;                              // of the last sub-step
 };
 
 // Mass of a node, kg: half of the links at it.

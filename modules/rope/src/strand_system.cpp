@@ -45,8 +45,7 @@ void solve_chain(std::span<const NodeRow> nodes, std::span<const LinkRow> links,
             carried = outer(step.row, step.inverse_pivot) - sandwich(next, step.inverse);
             carried_right = step.row * (step.inverse_pivot * step.target) - next * moved;
         } else {
-            carried = outer(step.row, step.inverse_pivot) -
-                      step.inverse * (link.next * link.next);
+            carried = outer(step.row, step.inverse_pivot) - step.inverse * (link.next * link.next);
             carried_right = step.row * (step.inverse_pivot * step.target) - moved * link.next;
         }
     }
@@ -94,8 +93,8 @@ void solve_rod(std::span<const NodeRow> nodes, std::span<const LinkRow> links,
         step.row = link.direction + transposed_times(step.next, step.weighted);
         const double pull = step.inverse_pivot * step.target;
         const Mat3 back = transpose(step.next) * p;
-        block = block_after + outer(step.row, step.inverse_pivot) -
-                symmetric_part(back * step.next);
+        block =
+            block_after + outer(step.row, step.inverse_pivot) - symmetric_part(back * step.next);
         right = right_after + step.row * pull - transposed_times(step.next, moved);
         // Columns of s f w^T / p - s N^T P.
         const Vec3 f = step.row * (link.skip * step.inverse_pivot), w = step.weighted;
@@ -113,8 +112,8 @@ void solve_rod(std::span<const NodeRow> nodes, std::span<const LinkRow> links,
             (dot(step.row, after) + link.skip * dot(step.weighted, second) - step.target) *
             step.inverse_pivot;
         multipliers[i] = u;
-        const Vec3 d = step.inverse * (step.right + link.direction * u - step.next * after -
-                                       second * link.skip);
+        const Vec3 d = step.inverse *
+                       (step.right + link.direction * u - step.next * after - second * link.skip);
         second = after;
         after = d;
         displacements[i] = d;

@@ -25,25 +25,25 @@ namespace jostle::modules::rope_detail {
 struct NodeRow {
     Symmetric3 diagonal = {};  // D, kg
     physics::Vec3 right = {};  // r, kg m
-    bool fixed = false;   // d is 0
+    bool fixed = false;        // d is 0
 };
 
 struct LinkRow {
     physics::Vec3 direction = {};  // e, m
-    double compliance = 0;    // c, m^2/kg, >= 0
-    double right = 0;         // g, m^2
-    double next = 0;          // n, kg
-    double skip = 0;          // s, kg, couples the node before the link with the node after the next
-    Symmetric3 cross = {};         // C, kg; used only if has_cross
+    double compliance = 0;         // c, m^2/kg, >= 0
+    double right = 0;              // g, m^2
+    double next = 0;               // n, kg
+    double skip = 0;        // s, kg, couples the node before the link with the node after the next
+    Symmetric3 cross = {};  // C, kg; used only if has_cross
     bool has_cross = false;
 };
 
 // Reused memory of the elimination.
 struct StrandElimination {
     struct Step {
-        Symmetric3 inverse;                 // of the node's block after elimination of those before
+        Symmetric3 inverse;  // of the node's block after elimination of those before
         physics::Vec3 right, row, weighted;  // r, f and w
-        physics::Mat3 next;                 // N after elimination; rods only
+        physics::Mat3 next;                  // N after elimination; rods only
         double inverse_pivot = 0, target = 0;
     };
     std::vector<Step> steps;

@@ -37,12 +37,8 @@ inline physics::Mat3 to_matrix(const Symmetric3& a) {
 }
 // The symmetric part of a matrix.
 inline Symmetric3 symmetric_part(const physics::Mat3& m) {
-    return {m.x.x,
-            m.y.y,
-            m.z.z,
-            0.5 * (m.x.y + m.y.x),
-            0.5 * (m.x.z + m.z.x),
-            0.5 * (m.y.z + m.z.y)};
+    return {
+        m.x.x, m.y.y, m.z.z, 0.5 * (m.x.y + m.y.x), 0.5 * (m.x.z + m.z.x), 0.5 * (m.y.z + m.z.y)};
 }
 // By cofactors. Precondition: positive definite.
 inline Symmetric3 inverse(const Symmetric3& a) {

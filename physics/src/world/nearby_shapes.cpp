@@ -111,9 +111,8 @@ void NearbyShapes::collect(const World& world, const Aabb& box, double dt,
         const BodyWarm& warm = warm_of(state, record.body);
         const BodyCold& cold = state.bodies.cold[record.body];
         Shape shape{transformed_shape(record, warm), &record, shape_id(state.shapes, index), 0, {}};
-        const Aabb reach =
-            grow_all(box, cold.set == BodySet::awake ? travel_of(warm, cold, state.def.gravity, dt)
-                                                     : 0);
+        const Aabb reach = grow_all(
+            box, cold.set == BodySet::awake ? travel_of(warm, cold, state.def.gravity, dt) : 0);
         if (is_plane(shape.now)) {
             if (!reaches_plane(shape.now, reach)) continue;
         } else {
@@ -124,7 +123,8 @@ void NearbyShapes::collect(const World& world, const Aabb& box, double dt,
     }
     for (const Shape& shape : shapes_) {
         const std::uint32_t body = shape.record->body;
-        const auto at = std::ranges::lower_bound(bodies_, body_id(state.bodies, body), {}, &Body::id);
+        const auto at =
+            std::ranges::lower_bound(bodies_, body_id(state.bodies, body), {}, &Body::id);
         if (at == bodies_.end() || at->id != body_id(state.bodies, body))
             bodies_.insert(at, body_of_set(state, body));
     }
@@ -202,14 +202,13 @@ void NearbyShapes::closest_points(std::span<const Vec3> points, double radius,
         const Aabb box{points[k] - reach, points[k] + reach};
         double best = radius;
         for (const Shape& shape : shapes_) {
-            if (is_plane(shape.now) ? !reaches_plane(shape.now, box)
-                                    : !overlap(shape.bounds, box))
+            if (is_plane(shape.now) ? !reaches_plane(shape.now, box) : !overlap(shape.bounds, box))
                 continue;
             const SurfacePoint p = nearest_point(shape.now, points[k]);
             if (p.distance > best || (nearest[k] && p.distance >= best)) continue;
             best = p.distance;
-            nearest[k] = ClosestPoint{shape.id, bodies_[shape.body].id, p.distance, p.point,
-                                      p.normal};
+            nearest[k] =
+                ClosestPoint{shape.id, bodies_[shape.body].id, p.distance, p.point, p.normal};
         }
     }
 }
@@ -235,7 +234,8 @@ void NearbyShapes::capsule_contacts(Vec3 a, Vec3 b, double radius, double margin
         if (capsule.geometry == nullptr) {
             scratch_->capsule = Capsule{.radius = radius, .half_length = 0.5 * height};
             const Vec3 y = axis * (1 / height);
-            const Vec3 x = normalized(cross(y, absolute(y.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 0, 1}));
+            const Vec3 x =
+                normalized(cross(y, absolute(y.x) < 0.7 ? Vec3{1, 0, 0} : Vec3{0, 0, 1}));
             capsule = {&scratch_->capsule, (a + b) * 0.5, {x, y, cross(x, y)}};
         }
         const auto index = static_cast<std::uint32_t>(k);

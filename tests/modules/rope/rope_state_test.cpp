@@ -38,22 +38,22 @@ World lively(int threads) {
         const double x = 1.5 * k - 3;
         const BodyId load = test::add(
             world, {.geometry = Box{{0.2, 0.2, 0.2}}, .position = {x, 2, 0}, .density = 200});
-        const RopeKey rope = test::must(ropes.add(
-            world, {.points = {{x + 0.5, 5, 0}, {x, 2.2, 0}},
-                    .links = 30,
-                    .bending_stiffness = k == 1 ? 0.05 : 0,
-                    .breaking_load = k == 2 ? 180.0 : 0}));
+        const RopeKey rope = test::must(ropes.add(world, {.points = {{x + 0.5, 5, 0}, {x, 2.2, 0}},
+                                                          .links = 30,
+                                                          .bending_stiffness = k == 1 ? 0.05 : 0,
+                                                          .breaking_load = k == 2 ? 180.0 : 0}));
         attach(rope, {.node = 0, .point = {x + 0.5, 5, 0}});
         attach(rope, {.node = 30, .body = load, .point = {0, 0.2, 0}});
         if (k == 3) test::must(ropes.set_winch(world, rope, RopeEnd::first, -0.5));
     }
-    const RopeKey rod = test::must(ropes.add(
-        world, {.points = {{4, 2, 0}, {5, 2, 0}}, .links = 12, .bending_stiffness = 1}));
+    const RopeKey rod = test::must(
+        ropes.add(world, {.points = {{4, 2, 0}, {5, 2, 0}}, .links = 12, .bending_stiffness = 1}));
     attach(rod, {.node = 0, .point = {4, 2, 0}, .direction = {1, 0, 0}});
     for (int k = 0; k < 6; k++)
-        test::add(world, {.geometry = k % 2 == 0 ? Geometry(Sphere{0.3}) : Geometry(Box{{0.3, 0.2, 0.3}}),
-                          .position = {0.7 * k - 2, 0.4, 2},
-                          .density = 80});
+        test::add(world,
+                  {.geometry = k % 2 == 0 ? Geometry(Sphere{0.3}) : Geometry(Box{{0.3, 0.2, 0.3}}),
+                   .position = {0.7 * k - 2, 0.4, 2},
+                   .density = 80});
     test::must(ropes.add(world, {.points = {{-2.5, 1.6, 1.9}, {2.5, 1.7, 2.1}}, .links = 50}));
     const BodyId a = test::add(world, {.geometry = Sphere{0.2}, .position = {-1, 3, -2}});
     const BodyId b = test::add(world, {.geometry = Sphere{0.2}, .position = {1, 3, -2}});

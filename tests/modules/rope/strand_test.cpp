@@ -19,7 +19,8 @@ Strand straight(std::size_t links, Vec3 from, Vec3 to, double mass) {
     Strand s;
     const double length = physics::length(to - from);
     for (std::size_t i = 0; i <= links; i++)
-        s.positions.push_back(from + (to - from) * (static_cast<double>(i) / static_cast<double>(links)));
+        s.positions.push_back(from +
+                              (to - from) * (static_cast<double>(i) / static_cast<double>(links)));
     s.velocities.resize(links + 1);
     s.rest_lengths.assign(links, length / static_cast<double>(links));
     s.force_densities.assign(links, 0);
@@ -39,8 +40,7 @@ void run(Strand& s, SubstepInput input, double seconds, double damping = 0) {
 
 double length_of(const Strand& s) {
     double sum = 0;
-    for (std::size_t k = 0; k < s.links(); k++)
-        sum += length(s.positions[k + 1] - s.positions[k]);
+    for (std::size_t k = 0; k < s.links(); k++) sum += length(s.positions[k + 1] - s.positions[k]);
     return sum;
 }
 
@@ -200,7 +200,8 @@ TEST(Strand, stays_stable_under_any_tension) {
     for (const double load : {1.0, 100.0, 1e4}) {
         Strand s = straight(100, {}, {0, -1, 0}, 0.01);
         s.stretch_stiffness = 1e8;
-        for (std::size_t i = 0; i <= 100; i++) s.velocities[i].x = std::sin(3.0 * static_cast<double>(i));
+        for (std::size_t i = 0; i <= 100; i++)
+            s.velocities[i].x = std::sin(3.0 * static_cast<double>(i));
         NodeLoad loads[2] = {{.node = 0, .fixed = true},
                              {.node = 100, .mass = scalar_matrix(load)}};
         StrandScratch scratch;
@@ -227,7 +228,8 @@ double slipping_ratio(double friction, double ratio, double seconds) {
     const double side = 2, arc = physics::pi * radius, total = 2 * side + arc;
     for (std::size_t i = 0; i <= links; i++) {
         const double at = total * static_cast<double>(i) / static_cast<double>(links);
-        if (at < side) s.positions.push_back({-radius, at - side, 0});
+        if (at < side)
+            s.positions.push_back({-radius, at - side, 0});
         else if (at < side + arc) {
             const double angle = (at - side) / radius;
             s.positions.push_back({-radius * std::cos(angle), radius * std::sin(angle), 0});
@@ -255,8 +257,10 @@ double slipping_ratio(double friction, double ratio, double seconds) {
             const Vec3 p = s.positions[k];
             const double r = std::hypot(p.x, p.y);
             if (p.y > -0.05 && r < radius + 0.05)
-                contacts.push_back({.link = k, .normal = Vec3{p.x / r, p.y / r, 0},
-                                    .gap = r - radius, .friction = friction});
+                contacts.push_back({.link = k,
+                                    .normal = Vec3{p.x / r, p.y / r, 0},
+                                    .gap = r - radius,
+                                    .friction = friction});
         }
         for (StrandContact& contact : contacts)
             for (const StrandContact& old : last)

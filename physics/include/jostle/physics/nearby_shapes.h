@@ -39,8 +39,8 @@ public:
         BodyId id = {};
         BodyType type = BodyType::dynamic;
         bool awake = false;
-        Vec3 start_center = {};                           ///< m, world, before the step
-        Quat start_rotation = {};                         ///< before the step
+        Vec3 start_center = {};                            ///< m, world, before the step
+        Quat start_rotation = {};                          ///< before the step
         Vec3 linear_velocity = {}, angular_velocity = {};  ///< m/s, rad/s, before the step
         Transform origin = {};  ///< of the body's origin relative to its centre, body axes
         double radius = 0;      ///< m, about the centre of mass; infinite for planes

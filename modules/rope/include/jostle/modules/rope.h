@@ -34,11 +34,11 @@ struct Rope;
 /// Module that owns the ropes of a world. Tag: "rope".
 class Ropes : public physics::Module {
 public:
-    static constexpr std::size_t ropes_max = 1024;         ///< maximum number of ropes
-    static constexpr std::size_t links_max = 20000;        ///< of all ropes
-    static constexpr std::size_t attachments_max = 64;     ///< of a rope
-    static constexpr std::size_t published_max = 5000;     ///< nodes in the channel "rope"
-    static constexpr int points_divisor = 2;               ///< steps between publications
+    static constexpr std::size_t ropes_max = 1024;      ///< maximum number of ropes
+    static constexpr std::size_t links_max = 20000;     ///< of all ropes
+    static constexpr std::size_t attachments_max = 64;  ///< of a rope
+    static constexpr std::size_t published_max = 5000;  ///< nodes in the channel "rope"
+    static constexpr int points_divisor = 2;            ///< steps between publications
 
     Ropes();
     ~Ropes() override;
@@ -110,8 +110,8 @@ public:
 private:
     rope_detail::Rope* find(RopeKey key) const;
     std::size_t link_count() const;
-    physics::Result<RopeKey> split(physics::World& world, rope_detail::Rope& rope,
-                                   std::size_t node, RopeEventKind kind, double tension);
+    physics::Result<RopeKey> split(physics::World& world, rope_detail::Rope& rope, std::size_t node,
+                                   RopeEventKind kind, double tension);
 
     std::vector<std::unique_ptr<rope_detail::Rope>> ropes_;  ///< sorted by key
     std::uint32_t last_key_ = 0;

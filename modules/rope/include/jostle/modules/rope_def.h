@@ -30,9 +30,9 @@ struct RopeDef {
     /// The initial line, m: 2 to points_max points, each component within 1e6. The nodes are placed
     /// evenly along it.
     std::vector<physics::Vec3> points = {};
-    std::uint32_t links = 20;  ///< 1 to links_max
-    double length = 0;         ///< m, rest length, 0 to 1e5; 0: that of the initial line
-    double radius = 0.02;      ///< m, 1e-4 to 10
+    std::uint32_t links = 20;      ///< 1 to links_max
+    double length = 0;             ///< m, rest length, 0 to 1e5; 0: that of the initial line
+    double radius = 0.02;          ///< m, 1e-4 to 10
     double mass_per_length = 0.2;  ///< kg/m, 1e-6 to 1e6
     /// E A, tension per relative stretch, N, 1 to 1e12. Short links under much load need more
     /// sub-steps to vibrate accurately, but are stable with any stiffness.
@@ -54,9 +54,9 @@ struct RopeDef {
 
 /// Holds a node of a rope at a body or in the world.
 struct RopeAttachment {
-    std::uint32_t node = 0;      ///< 0 is the first end, the number of links the last end
-    physics::BodyId body = {};   ///< null: the world
-    physics::Vec3 point = {};    ///< m, in the body's frame or in the world, within 1e6
+    std::uint32_t node = 0;     ///< 0 is the first end, the number of links the last end
+    physics::BodyId body = {};  ///< null: the world
+    physics::Vec3 point = {};   ///< m, in the body's frame or in the world, within 1e6
     /// If not zero: the direction of an elastic rod at this end, from the end into the rod, in the
     /// same frame; any length. Only at the ends.
     physics::Vec3 direction = {};
@@ -70,10 +70,10 @@ enum class RopeEventKind : std::uint8_t { cut, broken, joined };
 /// A change of ropes in a call or in the last step.
 struct RopeEvent {
     RopeEventKind kind = RopeEventKind::cut;
-    RopeKey rope = {};             ///< the rope that was cut, broke or was extended
-    RopeKey other = {};            ///< the new rope behind the cut, or the rope that was joined
-    physics::Vec3 position = {};   ///< m
-    double tension = 0;            ///< N, if it broke
+    RopeKey rope = {};            ///< the rope that was cut, broke or was extended
+    RopeKey other = {};           ///< the new rope behind the cut, or the rope that was joined
+    physics::Vec3 position = {};  ///< m
+    double tension = 0;           ///< N, if it broke
 };
 
 }  // namespace jostle::modules

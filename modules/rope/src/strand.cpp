@@ -46,9 +46,7 @@ public:
         for (bool decided = false; iterations < input_.iterations_max;) {
             iterations++;
             assemble();
-            const auto solve = bends() ? solve_rod : solve_chain;
-            solve(scratch_.nodes, scratch_.links, scratch_.elimination, scratch_.displacements,
-                  scratch_.changes);
+            solve();
             bool lengths_settled = move();
             if (decided) {
                 lengths_settled = !stiffen() && lengths_settled;
@@ -146,11 +144,21 @@ private:
     }
     static std::size_t minimum_of(std::size_t a, std::size_t b) { return a < b ? a : b; }
 
+    void solve() {
+        StrandScratch& s = scratch_;
+        const auto solve = bends() ? solve_rod : solve_chain;
+        solve(s.nodes, s.links, s.cross, s.elimination, s.displacements, s.changes);
+    }
+
     // ---- assembly ----
 
     void assemble() {
         StrandScratch& s = scratch_;
         s.used_multipliers = s.multipliers;
+        if (input_.contacts.empty())
+            s.cross.clear();
+        else
+            s.cross.assign(strand_.links(), {});
         for (std::size_t i = 0; i < nodes(); i++) {
             s.nodes[i].diagonal = scalar_matrix(s.masses[i]);
             s.nodes[i].right = (s.free_targets[i] - strand_.positions[i]) * s.masses[i];
@@ -182,9 +190,7 @@ private:
                 .compliance = compliance,
                 .right = 0.5 * (length * length - dot(e, e)) + compliance * q,
                 .next = -geometric,
-                .skip = 0,
-                .cross = {},
-                .has_cross = false};
+                .skip = 0};
         const Vec3 force = tension_of(k);
         s.nodes[k].right += force;
         s.nodes[k + 1].right -= force;
@@ -281,8 +287,7 @@ private:
         }
         for (const bool last : {false, true}) {
             assemble();
-            const auto solve = bends() ? solve_rod : solve_chain;
-            solve(s.nodes, s.links, s.elimination, s.displacements, s.changes);
+            solve();
             move();
             if (last) break;
             update_links();
@@ -347,9 +352,9 @@ private:
         s.nodes[c.link].diagonal = s.nodes[c.link].diagonal + stiffness * (a * a);
         s.nodes[c.link + 1].diagonal = s.nodes[c.link + 1].diagonal + stiffness * (b * b);
         if (a == 0 || b == 0) return;
-        LinkRow& link = s.links[c.link];
-        link.cross = link.cross + stiffness * (a * b);
-        link.has_cross = true;
+        CrossBlock& cross = s.cross[c.link];
+        cross.block = cross.block + stiffness * (a * b);
+        cross.any = true;
     }
     static bool has_friction(const StrandContact& c) {
         return c.friction > 0 && c.grip != ContactGrip::smooth;
@@ -508,6 +513,9 @@ private:
         bool settled = true;
         for (std::size_t k = 0; k < strand_.links(); k++) {
             settled = !changes_law(k) && settled;
+            // Most tensions change little.
+            const double change = absolute(s.multipliers[k] - s.used_multipliers[k]);
+            if (change <= 0.25 * s.masses[k]) continue;
             const TimeWeights weights = weights_now(k);
             const double used = s.weights[k].end * maximum(s.used_multipliers[k], 0);
             const double now = weights.end * maximum(s.multipliers[k], 0);

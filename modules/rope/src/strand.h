@@ -107,6 +107,7 @@ enum class LinkLaw : std::uint8_t { taut, slack, undecided };
 struct StrandScratch {
     std::vector<NodeRow> nodes;
     std::vector<LinkRow> links;
+    std::vector<CrossBlock> cross;  // empty without contacts
     StrandElimination elimination;
     std::vector<physics::Vec3> displacements, start, previous, free_targets;
     std::vector<double> changes, multipliers, used_multipliers, masses;

@@ -33,30 +33,40 @@ struct LinkRow {
     double compliance = 0;         // c, m^2/kg, >= 0
     double right = 0;              // g, m^2
     double next = 0;               // n, kg
-    double skip = 0;        // s, kg, couples the node before the link with the node after the next
-    Symmetric3 cross = {};  // C, kg; used only if has_cross
-    bool has_cross = false;
+    double skip = 0;  // s, kg, couples the node before the link with the node after the next
+};
+
+// The coupling C of a link, kg.
+struct CrossBlock {
+    bool any = false;
+    Symmetric3 block = {};
 };
 
 // Reused memory of the elimination.
 struct StrandElimination {
     struct Step {
-        Symmetric3 inverse;  // of the node's block after elimination of those before
-        physics::Vec3 right, row, weighted;  // r, f and w
-        physics::Mat3 next;                  // N after elimination; rods only
+        Symmetric3 inverse = {};  // of the node's block after elimination of those before
+        physics::Vec3 right = {}, row = {};  // r and f
         double inverse_pivot = 0, target = 0;
     };
+    // Rods only.
+    struct RodStep {
+        physics::Vec3 weighted = {};                        // w
+        physics::Mat3 next = physics::diagonal({0, 0, 0});  // N after elimination
+    };
     std::vector<Step> steps;
+    std::vector<RodStep> rod_steps;
 };
 
 // Solves a system without bending: all LinkRow::skip are 0. There are one more nodes than links.
-// Writes the displacements of the nodes and the changes of the multipliers.
+// `cross` is empty, or has one item per link. Writes the displacements of the nodes and the changes
+// of the multipliers.
 void solve_chain(std::span<const NodeRow> nodes, std::span<const LinkRow> links,
-                 StrandElimination& memory, std::span<physics::Vec3> displacements,
-                 std::span<double> multipliers);
+                 std::span<const CrossBlock> cross, StrandElimination& memory,
+                 std::span<physics::Vec3> displacements, std::span<double> multipliers);
 // Same with bending.
 void solve_rod(std::span<const NodeRow> nodes, std::span<const LinkRow> links,
-               StrandElimination& memory, std::span<physics::Vec3> displacements,
-               std::span<double> multipliers);
+               std::span<const CrossBlock> cross, StrandElimination& memory,
+               std::span<physics::Vec3> displacements, std::span<double> multipliers);
 
 }  // namespace jostle::modules::rope_detail

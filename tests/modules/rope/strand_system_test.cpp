@@ -14,6 +14,7 @@ using physics::Vec3;
 struct System {
     std::vector<NodeRow> nodes;
     std::vector<LinkRow> links;
+    std::vector<CrossBlock> cross;
 };
 
 // Numbers between -1 and 1.
@@ -39,10 +40,9 @@ System random_system(std::size_t links, bool bends, bool contacts) {
                      .right = random.next(),
                      .next = -0.5 + 0.2 * random.next(),
                      .skip = bends && k + 1 < links ? 0.3 * random.next() : 0};
-        if (contacts && k % 3 == 1) {
-            link.cross = outer(random.vector(), 0.5);
-            link.has_cross = true;
-        }
+        if (contacts)
+            s.cross.push_back(k % 3 == 1 ? CrossBlock{true, outer(random.vector(), 0.5)}
+                                         : CrossBlock{});
         s.links.push_back(link);
     }
     return s;
@@ -52,7 +52,7 @@ System random_system(std::size_t links, bool bends, bool contacts) {
 double residual(const System& s, std::span<const Vec3> d, std::span<const double> u) {
     const auto coupling = [&](std::size_t k) {
         const double n = s.links[k].next;
-        const Symmetric3 c = s.links[k].has_cross ? s.links[k].cross : Symmetric3{};
+        const Symmetric3 c = s.cross.empty() ? Symmetric3{} : s.cross[k].block;
         return scalar_matrix(n) + c;
     };
     double most = 0;
@@ -77,25 +77,27 @@ double residual(const System& s, std::span<const Vec3> d, std::span<const double
 }
 
 TEST(StrandSystem, solves_chains_with_contacts_and_fixed_nodes) {
-    for (const bool contacts : {false, true}) {
-        const System s = random_system(40, false, contacts);
-        StrandElimination memory;
-        std::vector<Vec3> d(s.nodes.size());
-        std::vector<double> u(s.links.size());
-        solve_chain(s.nodes, s.links, memory, d, u);
-        EXPECT_LT(residual(s, d, u), 1e-11);
-    }
+    for (const std::size_t links : {1u, 2u, 7u, 40u})
+        for (const bool contacts : {false, true}) {
+            const System s = random_system(links, false, contacts);
+            StrandElimination memory;
+            std::vector<Vec3> d(s.nodes.size());
+            std::vector<double> u(s.links.size());
+            solve_chain(s.nodes, s.links, s.cross, memory, d, u);
+            EXPECT_LT(residual(s, d, u), 1e-11);
+        }
 }
 
 TEST(StrandSystem, solves_rods_with_contacts_and_fixed_nodes) {
-    for (const bool contacts : {false, true}) {
-        const System s = random_system(40, true, contacts);
-        StrandElimination memory;
-        std::vector<Vec3> d(s.nodes.size());
-        std::vector<double> u(s.links.size());
-        solve_rod(s.nodes, s.links, memory, d, u);
-        EXPECT_LT(residual(s, d, u), 1e-11);
-    }
+    for (const std::size_t links : {1u, 2u, 7u, 40u})
+        for (const bool contacts : {false, true}) {
+            const System s = random_system(links, true, contacts);
+            StrandElimination memory;
+            std::vector<Vec3> d(s.nodes.size());
+            std::vector<double> u(s.links.size());
+            solve_rod(s.nodes, s.links, s.cross, memory, d, u);
+            EXPECT_LT(residual(s, d, u), 1e-11);
+        }
 }
 
 TEST(StrandSystem, gives_the_same_solution_of_a_chain_by_both_eliminations) {
@@ -103,8 +105,8 @@ TEST(StrandSystem, gives_the_same_solution_of_a_chain_by_both_eliminations) {
     StrandElimination memory;
     std::vector<Vec3> d(s.nodes.size()), rod(s.nodes.size());
     std::vector<double> u(s.links.size());
-    solve_chain(s.nodes, s.links, memory, d, u);
-    solve_rod(s.nodes, s.links, memory, rod, u);
+    solve_chain(s.nodes, s.links, s.cross, memory, d, u);
+    solve_rod(s.nodes, s.links, s.cross, memory, rod, u);
     for (std::size_t i = 0; i < d.size(); i++) EXPECT_LT(length(d[i] - rod[i]), 1e-12);
 }
 

@@ -15,7 +15,7 @@ namespace {
 // Compliance of contacts relative to the inertia of a node: small enough to be invisible, large
 // enough for the accuracy of the elimination.
 constexpr double contact_compliance = 1e-3, friction_compliance = 1e-4;
-// Smallest compliance of links, relative to L^2 / m.
+// Smallest compliance of links, relative to L^2 over the mass of the link.
 constexpr double link_compliance = 1e-9;
 // Compliance of a link that is shorter than its rest length, relative to the same.
 constexpr double slack_compliance = 10;
@@ -28,15 +28,20 @@ constexpr double push_out_speed = 1;
 constexpr int decisions_max = 8;
 // Relative error of lengths below which an iteration is the last one.
 constexpr double length_tolerance = 1e-6;
-// Square of the relative change of an edge in the last iteration above which the solution is
-// rejected.
-constexpr double acceptable_change = 0.01;
+// Squares of the relative change of an edge: above the first one in the last iteration, the
+// solution is rejected; the second one limits an iteration.
+constexpr double acceptable_change = 0.01, farthest_change = 0.0625;
 
 // One sub-step of one strand.
 class Substep {
 public:
     Substep(Strand& strand, const SubstepInput& input, StrandScratch& scratch)
-        : strand_(strand), input_(input), scratch_(scratch), h2_(input.h * input.h) {}
+        : strand_(strand),
+          input_(input),
+          scratch_(scratch),
+          h2_(input.h * input.h),
+          inverse_mass_per_length_(1 / strand.mass_per_length),
+          stretch_compliance_(1 / (strand.stretch_stiffness * h2_)) {}
 
     int run() {
         predict();
@@ -62,7 +67,7 @@ public:
             }
         }
         // Without contacts, each iterate is bounded and the next sub-step continues from it.
-        if (last_change_ > acceptable_change && !input_.contacts.empty()) {
+        if (!acceptable_ && !input_.contacts.empty()) {
             take_soft_step();
             iterations++;
         }
@@ -134,13 +139,13 @@ private:
             const double before = strand_.rest_lengths[i > 0 ? i - 1 : 0];
             const double after = strand_.rest_lengths[minimum_of(i, strand_.links() - 1)];
             const double least = minimum(before, after);
-            s.bend_weights[i] = time_weights(16 * strand_.bending_stiffness * h2_ /
-                                             (s.masses[i] * least * least * least));
+            s.bend_weights[i] = time_weights(16 * strand_.bending_stiffness * h2_,
+                                             s.masses[i] * least * least * least);
         }
     }
     TimeWeights weights_now(std::size_t k) const {
         const StrandScratch& s = scratch_;
-        return time_weights(4 * s.multipliers[k] / minimum(s.masses[k], s.masses[k + 1]));
+        return time_weights(4 * s.multipliers[k], minimum(s.masses[k], s.masses[k + 1]));
     }
     static std::size_t minimum_of(std::size_t a, std::size_t b) { return a < b ? a : b; }
 
@@ -208,11 +213,10 @@ private:
     // rather than push: a short link only resists as a spring that a sub-step resolves.
     double compliance_of(std::size_t k) const {
         const double length = strand_.rest_lengths[k];
-        const double unit = length * length / scratch_.masses[k];
+        const double unit = length * inverse_mass_per_length_;
         if (scratch_.laws[k] == LinkLaw::slack) return unit * slack_compliance;
         if (scratch_.laws[k] == LinkLaw::undecided) return unit * undecided_compliance;
-        return maximum(length * length * length / (strand_.stretch_stiffness * h2_),
-                       unit * link_compliance);
+        return maximum(length * length * length * stretch_compliance_, unit * link_compliance);
     }
 
     void add_scalar(std::size_t node, double value) {
@@ -448,20 +452,6 @@ private:
         return true;
     }
 
-    // Fraction of the Newton step within which no link changes by more than a quarter of its
-    // length.
-    double step_share() const {
-        double share = 1;
-        for (std::size_t k = 0; k < strand_.links(); k++) {
-            const double change =
-                length_squared(scratch_.displacements[k + 1] - scratch_.displacements[k]);
-            const double length = strand_.rest_lengths[k];
-            if (16 * share * share * change > length * length)
-                share = 0.25 * length / square_root(change);
-        }
-        return share;
-    }
-
     // The row of a node on which only links act.
     Vec3 pull_of_links(std::size_t i) const {
         const StrandScratch& s = scratch_;
@@ -475,19 +465,30 @@ private:
     // of second order in the change of each edge.
     bool move() {
         StrandScratch& s = scratch_;
-        const double share = step_share();
-        if (share < 1)
-            for (Vec3& displacement : s.displacements) displacement *= share;
-        for (std::size_t i = 0; i < nodes(); i++) strand_.positions[i] += s.displacements[i];
-        last_change_ = 0;
+        bool settled = true, far = false;
+        acceptable_ = true;
         for (std::size_t k = 0; k < strand_.links(); k++) {
             s.multipliers[k] += s.changes[k];
-            const double length = strand_.rest_lengths[k];
-            last_change_ =
-                maximum(last_change_, length_squared(s.displacements[k + 1] - s.displacements[k]) /
-                                          (length * length));
+            const double change = length_squared(s.displacements[k + 1] - s.displacements[k]);
+            const double length = strand_.rest_lengths[k], square = length * length;
+            settled = settled && change <= 2 * length_tolerance * square;
+            acceptable_ = acceptable_ && change <= acceptable_change * square;
+            far = far || change > farthest_change * square;
         }
-        return share == 1 && last_change_ <= 2 * length_tolerance;
+        if (far) shorten_step();
+        for (std::size_t i = 0; i < nodes(); i++) strand_.positions[i] += s.displacements[i];
+        return settled;
+    }
+    // Scales a Newton step so that no edge changes by more than a quarter of its length.
+    void shorten_step() {
+        StrandScratch& s = scratch_;
+        double share = 1;
+        for (std::size_t k = 0; k < strand_.links(); k++) {
+            const double change = length_squared(s.displacements[k + 1] - s.displacements[k]);
+            const double most = farthest_change * strand_.rest_lengths[k] * strand_.rest_lengths[k];
+            if (share * share * change > most) share = square_root(most / change);
+        }
+        for (Vec3& displacement : s.displacements) displacement *= share;
     }
     void move_back() {
         for (std::size_t i = 0; i < nodes(); i++) strand_.positions[i] -= scratch_.displacements[i];
@@ -528,11 +529,11 @@ private:
 
     void finish() {
         StrandScratch& s = scratch_;
-        const double inverse_h = 1 / input_.h;
+        const double inverse_h = 1 / input_.h, inverse_h2 = 1 / h2_;
         for (std::size_t i = 0; i < nodes(); i++)
             strand_.velocities[i] = (strand_.positions[i] - s.start[i]) * inverse_h;
         for (std::size_t k = 0; k < strand_.links(); k++)
-            strand_.force_densities[k] = s.multipliers[k] / h2_;
+            strand_.force_densities[k] = s.multipliers[k] * inverse_h2;
         // The rows of fixed nodes are the impulses on their supports, after the last iteration.
         const bool links_only = !bends() && input_.contacts.empty();
         if (!input_.loads.empty() && !links_only) assemble();
@@ -565,7 +566,8 @@ private:
     const SubstepInput& input_;
     StrandScratch& scratch_;
     const double h2_;
-    double last_change_ = 0;  // of an edge in the last iteration, relative to its length, squared
+    const double inverse_mass_per_length_, stretch_compliance_;  // m/kg, 1/(N s^2)
+    bool acceptable_ = true;  // the edges changed little in the last iteration
 };
 
 }  // namespace

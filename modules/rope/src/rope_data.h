@@ -79,6 +79,7 @@ struct Rope {
     std::vector<std::uint32_t> clamp_body;
     std::vector<StrandContact> strand_contacts;
     std::vector<physics::CapsuleContact> found;
+    bool may_touch = false;  // `nearby` has bodies that the rope is not attached to
     std::vector<std::uint32_t> contact_body, contact_shape;  // per strand contact
     std::vector<physics::Vec3> contact_point;
     StrandScratch scratch;

@@ -109,6 +109,8 @@ void find_bodies(const World& world, Rope& rope) {
     for (const NearbyShapes::Body& body : rope.nearby.bodies())
         rope.nearby_body.push_back(carry(world, rope, body.id));
     expect_pushes(rope);
+    rope.may_touch = std::ranges::any_of(
+        rope.nearby.bodies(), [&](const auto& body) { return !is_attached_to(rope, body.id); });
 }
 
 // Destroyed bodies release the rope.
@@ -246,11 +248,12 @@ private:
         rope_.contact_body.clear();
         rope_.contact_shape.clear();
         rope_.contact_point.clear();
-        if (rope_.nearby.size() == 0) return;
+        if (!rope_.may_touch) return;
         const double margin =
             0.25 * rope_.def.radius +
             h_ * (greatest_speed(rope_.strand) + fastest_body() + h_ * length(substep_.gravity));
-        for (std::uint32_t k = 0; k < rope_.strand.links(); k++) find_contacts_of(k, margin);
+        std::size_t saved = 0;
+        for (std::uint32_t k = 0; k < rope_.strand.links(); k++) find_contacts_of(k, margin, saved);
     }
     double fastest_body() const {
         double most = 0;
@@ -258,20 +261,24 @@ private:
             most = maximum(most, length_squared(body.velocity));
         return square_root(most);
     }
-    void find_contacts_of(std::uint32_t link, double margin) {
+    // `saved`: index in the contacts of the last sub-step, which are sorted by link too.
+    void find_contacts_of(std::uint32_t link, double margin, std::size_t& saved) {
         const Vec3 a = rope_.strand.positions[link], b = rope_.strand.positions[link + 1];
         if (length_squared(b - a) < 1e-16) return;
         rope_.found.clear();
         rope_.nearby.capsule_contacts(a, b, rope_.def.radius, margin, rope_.found);
+        if (rope_.found.empty()) return;
+        while (saved < rope_.contacts.size() && rope_.contacts[saved].link < link) saved++;
         for (const CapsuleContact& contact : rope_.found) {
             // The next link has the same contact at its start.
             if (contact.fraction > 0.999 && link + 1 < rope_.strand.links()) continue;
             const std::uint32_t body = rope_.nearby_body[rope_.nearby.body_of(contact.shape)];
             if (body == no_body || is_attached_to(rope_, rope_.bodies[body].id)) continue;
-            add_contact(link, contact, body);
+            add_contact(link, contact, body, saved);
         }
     }
-    void add_contact(std::uint32_t link, const CapsuleContact& found, std::uint32_t body) {
+    void add_contact(std::uint32_t link, const CapsuleContact& found, std::uint32_t body,
+                     std::size_t saved) {
         StrandContact contact{.link = link,
                               .fraction = found.fraction < 1e-3 ? 0 : found.fraction,
                               .normal = found.normal,
@@ -279,22 +286,27 @@ private:
         contact.friction =
             square_root(rope_.def.friction * rope_.nearby.material(found.shape).friction);
         const ShapeId shape = rope_.nearby.shape(found.shape);
-        for (const SavedContact& saved : rope_.contacts)
-            if (saved.link == link && saved.shape == shape) {
-                contact.grip = saved.grip;
-                contact.slip = saved.slip - found.normal * dot(saved.slip, found.normal);
-                contact.pressure = saved.pressure;
-                const double size = length(contact.slip);
-                if (size > 1e-6)
-                    contact.slip *= 1 / size;
-                else if (contact.grip == ContactGrip::slips)
-                    contact.grip = ContactGrip::sticks;
+        for (std::size_t k = saved; k < rope_.contacts.size() && rope_.contacts[k].link == link;
+             k++)
+            if (rope_.contacts[k].shape == shape) {
+                resume(contact, rope_.contacts[k]);
                 break;
             }
         rope_.strand_contacts.push_back(contact);
         rope_.contact_body.push_back(body);
         rope_.contact_shape.push_back(found.shape);
         rope_.contact_point.push_back(found.point);
+    }
+
+    static void resume(StrandContact& contact, const SavedContact& saved) {
+        contact.grip = saved.grip;
+        contact.pressure = saved.pressure;
+        contact.slip = saved.slip - contact.normal * dot(saved.slip, contact.normal);
+        const double size = length(contact.slip);
+        if (size > 1e-6)
+            contact.slip *= 1 / size;
+        else if (contact.grip == ContactGrip::slips)
+            contact.grip = ContactGrip::sticks;
     }
 
     void count_shares() {

@@ -26,6 +26,8 @@ constexpr double undecided_compliance = 0.1;
 constexpr double push_out_speed = 1;
 // Solutions after which the decisions about links and contacts are final.
 constexpr int decisions_max = 8;
+// Relative change of a pressure above which friction is computed again.
+constexpr double pressure_tolerance = 0.05;
 // Relative error of lengths below which an iteration is the last one.
 constexpr double length_tolerance = 1e-6;
 // Squares of the relative change of an edge: above the first one in the last iteration, the
@@ -406,7 +408,7 @@ private:
         }
         const double before = std::exchange(c.pressure, normal_stiffness(c) * depth);
         if (c.friction == 0) return true;
-        const bool same_pressure = absolute(c.pressure - before) <= 0.02 * c.pressure;
+        const bool same_pressure = absolute(c.pressure - before) <= pressure_tolerance * c.pressure;
         return update_grip(c, across(c, motion)) && same_pressure;
     }
     bool update_grip(StrandContact& c, Vec3 slid) const {
@@ -431,7 +433,7 @@ private:
             return false;
         }
         const Vec3 direction = slid * (1 / distance);
-        const bool same = length_squared(direction - c.slip) < 1e-4;
+        const bool same = length_squared(direction - c.slip) < 0.01;
         c.slip = direction;
         return same;
     }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
 // Shapes near matter that a module simulates itself, such as a rope: collected once before a step
-// and then tested in each sub-step at the poses of that moment, without the broad phase and without
+// and then tested in each sub-step at the poses of that time, without the broad phase and without
 // allocation.
 //
 //     shapes.collect(world, bounds_of_my_matter, dt);         // in before_step()

@@ -37,7 +37,7 @@ struct RopeDef {
     /// E A, tension per relative stretch, N, 1 to 1e12. Short links under much load need more
     /// sub-steps to vibrate accurately, but are stable with any stiffness.
     double stretch_stiffness = 1e6;
-    /// E I, bending moment per curvature, N m^2, 0 to 1e9; 0: a rope that bends freely and does not
+    /// E I, bending torque per curvature, N m^2, 0 to 1e9; 0: a rope that bends freely and does not
     /// push. Above 0 it also resists compression, as a rod.
     double bending_stiffness = 0;
     double damping = 0.1;        ///< 1/s, 0 to 1e4: decay of velocities, as by air

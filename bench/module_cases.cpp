@@ -15,6 +15,7 @@
 #include "jostle/modules/fields.h"
 #include "jostle/modules/particles.h"
 #include "jostle/modules/ragdoll.h"
+#include "jostle/modules/rope.h"
 #include "jostle/modules/vehicle.h"
 #include "jostle/physics/mesh.h"
 
@@ -435,6 +436,158 @@ private:
     Crowd& crowd_;
 };
 
+// Where ropes are attached, 10 m above their loads.
+Vec3 hook(int k) {
+    return grid_position(k, 3) + Vec3{0, 12, 0};
+}
+
+// Loads of 10 kg on ropes of 1 kg, 10 m and 100 links. Closed form of the load: the rope stretches
+// by its tension over E A.
+class RopeLoads final : public ModuleScene {
+public:
+    explicit RopeLoads(int count) : ropes_(add<Ropes>(world_)) {
+        for (int k = 0; k < count; k++) {
+            const Vec3 top = hook(k), end = top - Vec3{0, length_, 0};
+            const BodyId load = must(world_.create_body(
+                {.pose = {end, {}}, .sleep_allowed = false},
+                {.geometry = Sphere{0.1}, .density = load_mass_ / (4.0 / 3 * pi * 1e-3)}));
+            const RopeKey rope = must(ropes_.add(
+                world_,
+                {.points = {top, end}, .links = 100, .mass_per_length = 0.1, .damping = 1}));
+            must(ropes_.attach(world_, rope, {.node = 0, .point = top}));
+            must(ropes_.attach(world_, rope, {.node = 100, .body = load}));
+            loads_.push_back(load);
+        }
+    }
+    void step(int) override { must(world_.step(1.0 / 60)); }
+    std::optional<double> error() const override {
+        const double stretch = (load_mass_ + 0.5) * 9.81 / 1e6;
+        double sum = 0;
+        for (std::size_t k = 0; k < loads_.size(); k++) {
+            const Vec3 expected = hook(static_cast<int>(k)) - Vec3{0, length_ * (1 + stretch), 0};
+            sum += length_squared(must(world_.body(loads_[k])).center - expected);
+        }
+        return std::sqrt(sum / static_cast<double>(loads_.size()));
+    }
+    std::string errors() override {
+        double most = 0;
+        for (const RopeKey rope : ropes_.ropes()) {
+            double sum = 0;
+            const auto x = ropes_.positions(rope);
+            for (std::size_t i = 1; i < x.size(); i++) sum += length(x[i] - x[i - 1]);
+            most = std::max(most, sum / length_ - 1);
+        }
+        char text[80];
+        std::snprintf(text, sizeof text, "stretch %.4f %%", 100 * most);
+        return text;
+    }
+
+private:
+    static constexpr double length_ = 10, load_mass_ = 10;
+    World world_;
+    Ropes& ropes_;
+    std::vector<BodyId> loads_;
+};
+
+// The peer of RopeLoads: 100 rods in a row, jointed by points.
+class JointedLoads final : public ModuleScene {
+public:
+    explicit JointedLoads(int count) : world_({.joint_solver = JointSolver::direct}) {
+        for (int k = 0; k < count; k++) add_chain(hook(k));
+    }
+    void step(int) override { must(world_.step(1.0 / 60)); }
+    std::optional<double> error() const override {
+        double sum = 0;
+        for (std::size_t k = 0; k < loads_.size(); k++) {
+            const Vec3 expected = hook(static_cast<int>(k)) - Vec3{0, 10, 0};
+            sum += length_squared(must(world_.body(loads_[k])).center - expected);
+        }
+        return std::sqrt(sum / static_cast<double>(loads_.size()));
+    }
+
+private:
+    void add_chain(Vec3 top) {
+        BodyId before = {};
+        Vec3 at = top;
+        for (int k = 0; k < 100; k++) {
+            const BodyId rod = must(world_.create_body(
+                {.pose = {at - Vec3{0, 0.05, 0}, {}}, .sleep_allowed = false},
+                {.geometry = Capsule{0.02, 0.03}, .mass = 0.01, .filter = {.mask = 0}}));
+            connect(before, rod, at);
+            before = rod;
+            at.y -= 0.1;
+        }
+        loads_.push_back(
+            must(world_.create_body({.pose = {at, {}}, .sleep_allowed = false},
+                                    {.geometry = Sphere{0.1}, .mass = 10, .filter = {.mask = 0}})));
+        connect(before, loads_.back(), at);
+    }
+    void connect(BodyId a, BodyId b, Vec3 at) {
+        const Vec3 origin = is_null(a) ? Vec3{} : must(world_.body(a)).pose.position;
+        must(world_.create_joint({.body_a = a,
+                                  .body_b = b,
+                                  .frame_a = {at - origin, {}},
+                                  .frame_b = {at - must(world_.body(b)).pose.position, {}},
+                                  .kind = BallJoint{}}));
+    }
+
+    World world_;
+    std::vector<BodyId> loads_;
+};
+
+// Horizontal rods of 1 m, held at one end. Closed form: the deflection of an Euler-Bernoulli
+// cantilever under its own weight, w L^4 / 8 E I.
+class RopeCantilevers final : public ModuleScene {
+public:
+    explicit RopeCantilevers(int count) : ropes_(add<Ropes>(world_)) {
+        for (int k = 0; k < count; k++) {
+            const Vec3 at = hook(k);
+            const RopeKey rod = must(ropes_.add(world_, {.points = {at, at + Vec3{1, 0, 0}},
+                                                         .links = 40,
+                                                         .mass_per_length = 0.1,
+                                                         .bending_stiffness = 2,
+                                                         .damping = 5}));
+            must(ropes_.attach(world_, rod, {.node = 0, .point = at, .direction = {1, 0, 0}}));
+        }
+    }
+    void step(int) override { must(world_.step(1.0 / 60)); }
+    std::optional<double> error() const override {
+        const double deflection = 0.1 * 9.81 / (8 * 2.0);
+        double sum = 0;
+        for (const RopeKey rod : ropes_.ropes()) {
+            const auto x = ropes_.positions(rod);
+            const double off = x.front().y - x.back().y - deflection;
+            sum += off * off;
+        }
+        return std::sqrt(sum / static_cast<double>(ropes_.ropes().size()));
+    }
+
+private:
+    World world_;
+    Ropes& ropes_;
+};
+
+// Ropes that hang over bars and swing, with contacts.
+class RopesOverBars final : public ModuleScene {
+public:
+    explicit RopesOverBars(int count) : ropes_(add<Ropes>(world_)) {
+        for (int k = 0; k < count; k++) {
+            const Vec3 at = grid_position(k, 4) + Vec3{0, 3, 0};
+            must(world_.create_body(
+                {.type = BodyType::static_body, .pose = {at, from_axis_angle({1, 0, 0}, pi / 2)}},
+                {.geometry = Cylinder{.radius = 0.3, .half_length = 1}}));
+            must(ropes_.add(world_, {.points = {at + Vec3{-1.5, 0.5, 0}, at + Vec3{1.5, 0.5, 0}},
+                                     .links = 60,
+                                     .damping = 0.02}));
+        }
+    }
+    void step(int) override { must(world_.step(1.0 / 60)); }
+
+private:
+    World world_;
+    Ropes& ropes_;
+};
+
 template <class Scene>
 std::unique_ptr<ModuleScene> make(int count) {
     return std::make_unique<Scene>(count);
@@ -467,6 +620,10 @@ constexpr ModuleCase cases[] = {
     {"particles_smoke", 20000, make<EmittedParticles<true, false>>},
     {"particles_rain", 20000, make<EmittedParticles<false, false>>},
     {"particles_balls", 20000, make<EmittedParticles<false, true>>},
+    {"rope_loads", 10, make<RopeLoads>},
+    {"rope_loads_joints", 10, make<JointedLoads>},
+    {"rope_cantilevers", 20, make<RopeCantilevers>},
+    {"rope_bars", 20, make<RopesOverBars>},
     {"ragdoll_limp", 40, figures<RagdollMode::limp>},
     {"ragdoll_powered", 40, figures<RagdollMode::powered>},
     {"ragdoll_kinematic", 40, figures<RagdollMode::kinematic>},

@@ -22,7 +22,9 @@ the solver.
 Columns: objects; milliseconds per step: mean, 99th percentile, worst; microseconds of the mean per
 object; steps that took longer than 1/60 s; RMS distance of the objects from the closed form of their
 motion at the end, for the cases that have one. throw_bodies is the peer of the particles_throw
-cases: the same throw with rigid bodies. It has the closed form of the same linear drag. Some cases add a line
+cases: the same throw with rigid bodies. It has the closed form of the same linear drag.
+rope_loads_joints is the peer of rope_loads: the same rope of rigid bodies with directly solved joints.
+Some cases add a line
 with other errors.
 
 Examples:

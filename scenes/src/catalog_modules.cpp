@@ -12,6 +12,7 @@
 #include "jostle/modules/fields.h"
 #include "jostle/modules/particles.h"
 #include "jostle/modules/ragdoll.h"
+#include "jostle/modules/rope.h"
 #include "jostle/modules/vehicle.h"
 #include "jostle/scenes/catalog.h"
 #include "scenes/src/katamari.h"
@@ -39,6 +40,7 @@ void register_catalog_modules() {
         register_once<Katamari>("katamari");
         register_once<modules::Particles>("particles");
         register_once<modules::Ragdolls>("ragdoll");
+        register_once<modules::Ropes>("rope");
         register_once<modules::Vehicles>("vehicle");
     });
 }

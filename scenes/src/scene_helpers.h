@@ -67,6 +67,8 @@ SceneDescription race_track();
 SceneDescription demolition();
 SceneDescription stampede();
 SceneDescription stadium();
+SceneDescription rope_bridge();
+SceneDescription swings();
 SceneDescription katamari();
 SceneDescription bench_pyramid_465();
 SceneDescription bench_pyramid_5050();

@@ -16,6 +16,7 @@
 #include "jostle/modules/fields.h"
 #include "jostle/modules/fracture_file.h"
 #include "jostle/modules/particles.h"
+#include "jostle/modules/rope.h"
 #include "jostle/modules/vehicle.h"
 #include "jostle/scenes/catalog.h"
 #include "jostle/scenes/scene_file.h"
@@ -283,6 +284,41 @@ TEST(ModuleObjects, crowd_errors_name_line_and_field) {
                 HasSubstr("groups[0]: destination: goal is 2; there are 0 goals"));
     EXPECT_THAT(error_of(R"({"crowd": {"obstacles": [{"body": "floor"}]}})"),
                 HasSubstr("obstacles[0]: obstacle_body: the body has no outline"));
+}
+
+TEST(ModuleObjects, ropes_have_points_attachments_and_winches) {
+    const auto scene = read_scene_json(with_modules(R"({"rope": {"ropes": [
+      {"points": [{"position": {"y": 9}}, {"position": {"y": 5}}], "links": 16,
+       "attachments": [{"node": 0, "point": {"y": 9}}, {"node": 16, "body": "car"}],
+       "winch_first": -0.5},
+      {"points": [{"position": {}}, {"position": {"x": 1}}]}
+    ]}})"));
+    ASSERT_TRUE(scene.ok()) << scene.error().message;
+    const auto built = build_scene(*scene);
+    ASSERT_TRUE(built.ok()) << built.error().message;
+    const auto* ropes = dynamic_cast<const modules::Ropes*>(built->world.module("rope"));
+    ASSERT_EQ(ropes->ropes().size(), 2u);
+    const modules::RopeKey first = ropes->ropes()[0];
+    EXPECT_EQ(ropes->positions(first).size(), 17u);
+    EXPECT_EQ(ropes->attachments(first)[1].node, 16u);
+    EXPECT_EQ(ropes->rest_lengths(first)[0], 0.25);
+    EXPECT_EQ(read_scene_json(write_scene_json(*scene))->modules[0].objects.size(), 2u);
+}
+
+TEST(ModuleObjects, rope_errors_name_line_and_field) {
+    const std::string points = R"("points": [{"position": {"y": 9}}, {"position": {"y": 5}}])";
+    const auto of = [&](const std::string& fields) {
+        return error_of(R"({"rope": {"ropes": [{)" + fields + "}]}}");
+    };
+    EXPECT_THAT(of(points + R"(, "radius": 0)"),
+                AllOf(HasSubstr("line "), HasSubstr("modules[0].rope.ropes[0].radius: 0")));
+    EXPECT_THAT(of(R"("points": [{"position": {"y": 9}}])"),
+                HasSubstr("modules[0].rope.ropes[0].points: has 1 items; it must have 2 to 256"));
+    EXPECT_THAT(of(points + R"(, "attachments": [{"node": 0, "body": "cat"}])"),
+                HasSubstr("modules[0].rope.ropes[0].attachments[0].body"));
+    EXPECT_THAT(of(points + R"(, "attachments": [{"node": 21}])"),
+                HasSubstr("ropes[0]: attachments[0].node: 21 is out of range"));
+    EXPECT_THAT(of(points + R"(, "winch_last": 1)"), HasSubstr("the end is not attached"));
 }
 
 }  // namespace

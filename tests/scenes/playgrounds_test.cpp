@@ -11,6 +11,7 @@
 
 #include "jostle/modules/crowd.h"
 #include "jostle/modules/particles.h"
+#include "jostle/modules/rope.h"
 #include "jostle/physics/module.h"
 #include "jostle/scenes/catalog.h"
 #include "tests/support/step_time.h"
@@ -215,6 +216,38 @@ TEST(RagdollStairs, most_figures_reach_the_bottom) {
     }
     EXPECT_EQ(bones, 12 * 11);
     EXPECT_GT(below, bones / 2);
+}
+
+// ---- ropes ----
+
+const modules::Ropes& ropes_of(const Played& played) {
+    return dynamic_cast<const modules::Ropes&>(*played.built.world.module("rope"));
+}
+
+TEST(Playgrounds, rope_bridge_carries_a_walker_and_sacks) {
+    Played bridge("rope_bridge");
+    bridge.run(3);
+    // The ropes were built with a sag of 0.6 m.
+    EXPECT_NEAR(6 - bridge.state("plank 10").center.y, 0.6, 0.05);
+    bridge.hold("character", "walker1", sticks(1, 0));
+    bridge.run(3.2);
+    EXPECT_GT(bridge.state("walker1").center.x, 5);
+    EXPECT_GT(bridge.state("walker1").center.y, 6);
+    EXPECT_EQ(ropes_of(bridge).ropes().size(), 5u);  // none broke
+    for (const modules::RopeKey rope : ropes_of(bridge).ropes())
+        for (const Vec3 v : ropes_of(bridge).velocities(rope)) EXPECT_LT(length(v), 5);
+}
+
+TEST(Playgrounds, swings_swing_and_the_crane_lifts) {
+    Played park("swings");
+    double most = 0;
+    for (int n = 0; n < 60; n++) {
+        park.run(0.1);
+        most = std::max(most, park.state("seat 3").center.z);
+    }
+    // Height of the seats: v = 3.5 m/s rises v^2 / 2 g = 0.62 m on ropes of 3.2 m.
+    EXPECT_NEAR(most, 1.9, 0.15);
+    EXPECT_NEAR(park.state("crate").center.y, 0.5 + 0.2 * 6, 0.05);
 }
 
 // ---- crowds ----

@@ -307,12 +307,12 @@ TEST(SceneErrors, rejects_unknown_and_duplicate_modules) {
     expect_refused(with_module("\n\"tag\": \"submarine\""),
                    "line 6: modules[0].tag: is \"submarine\"; it must be one of "
                    "boat, character, crowd, destruction, fields, hovercraft, katamari, particles, "
-                   "ragdoll, turntable, vehicle");
+                   "ragdoll, rope, turntable, vehicle");
     expect_refused(
         with_module("\"settings\": {}"),
         "modules[0].tag: is \"\"; it must be one of boat, "
         "character, crowd, destruction, fields, hovercraft, katamari, particles, ragdoll, "
-        "turntable, vehicle");
+        "rope, turntable, vehicle");
     expect_refused(
         with_module("\"tag\": \"turntable\"},\n{\"tag\": \"turntable\""),
         "line 6: modules[1].tag: is \"turntable\", a duplicate; a world has at most one module per "
@@ -323,7 +323,7 @@ TEST(SceneErrors, rejects_unknown_and_duplicate_modules) {
     EXPECT_EQ(built.error().message,
               "modules[0] 'submarine': module \"submarine\" is not registered (registered: boat, "
               "character, crowd, destruction, fields, hovercraft, katamari, particles, ragdoll, "
-              "turntable, vehicle); "
+              "rope, turntable, vehicle); "
               "call register_module() first");
 }
 

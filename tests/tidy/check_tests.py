@@ -213,8 +213,6 @@ COVERED_BY = {
         (["behaviour/joints_test.cpp"], "every kind of joint; the order is constraint_graph/joint_levels'"),
     "stages/solver/apply_joint_impacts.cpp":
         (["behaviour/impacts_test.cpp"], "a cradle on threads at three rates: the last ball swings out, the others hang still"),
-    "stages/solver/substep_hooks.cpp":
-        (["behaviour/listeners_test.cpp"], "groups, order, pushes, springs of their own"),
     "stages/solver/solver_scratch.h":
         (["physics/stages/islands/assign_batches_test.cpp"], "one line: the bodies of a task's colour sets"),
     "stages/step_world.cpp":

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/stages/step_world.h"
 
+#include <utility>
+
 #include "jostle/base/check.h"
 #include "physics/src/foundation/size_scale.h"
 #include "physics/src/foundation/tuning.h"
@@ -30,6 +32,7 @@ StepContext begin_step(WorldState& world, StepScratch& scratch, double dt) {
     if (world.thread_usage.solver_tasks > 1) world.thread_pool->wake();
     world.profile = {};
     world.profile.overload_level = world.overload_level.level;
+    world.profile.module_work = std::exchange(world.listeners.work, 0);
     if (dt != world.last_dt)
         for (const BodyWarm& warm : world.bodies.awake) update_motion_bound(world, warm.body, dt);
     if (dt != world.last_dt && world.last_dt > 0)

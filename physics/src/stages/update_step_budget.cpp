@@ -53,7 +53,8 @@ std::int64_t step_work(const StepProfile& profile) {
             tuning::joint_work * profile.joint_substeps +
             tuning::direct_block_work * profile.direct_work + tuning::sweep_work * profile.sweeps +
             tuning::impact_work * profile.impacts) /
-           tuning::work_unit;
+               tuning::work_unit +
+           profile.module_work;
 }
 
 void update_step_budget(WorldState& world) {

@@ -5,6 +5,7 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdint>
 #include <memory>
 #include <string>
 #include <string_view>
@@ -25,6 +26,7 @@ struct ListenerStore {
     // Hooks of any listener; `concurrent` only if all listeners of sub-steps set it. Derived.
     StepHooks active_hooks;
     World* stepping = nullptr;  // set within World::step()
+    std::int64_t work = 0;      // counted in before_step() for the next step_world()
 
     bool empty() const { return order.empty(); }
 

@@ -79,6 +79,10 @@ void World::parallel_for(int count, int grain,
     if (thread_pool.size() > 1 && count >= 4 * grain) thread_pool.wake();
     thread_pool.run(count, grain, function);
 }
+void World::count_work(std::int64_t work) {
+    ASSERT(work >= 0);
+    state_->listeners.work += work;
+}
 void World::stop_stepping() {
     scratch_->stopped = true;
 }

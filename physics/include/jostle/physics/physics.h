@@ -21,6 +21,7 @@
 #include "jostle/physics/mat3.h"
 #include "jostle/physics/mesh.h"
 #include "jostle/physics/module.h"
+#include "jostle/physics/nearby_shapes.h"
 #include "jostle/physics/planar.h"
 #include "jostle/physics/polygon.h"
 #include "jostle/physics/profile.h"

@@ -98,8 +98,9 @@ struct StepProfile {
     /// (within a factor of 0.6 to 2 of the time in the benchmark scenes), so it is the same for any
     /// machine and any number of threads. See WorldDef::step_budget.
     std::int64_t work = 0;
-    int overload_level = 0;  ///< level at which the step was computed (World::overload_level)
-    int solver_tasks = 0;    ///< Solver batches that threads solved in parallel; 0 with one thread.
+    std::int64_t module_work = 0;  ///< part of `work`: counted by modules (World::count_work)
+    int overload_level = 0;        ///< level at which the step was computed (World::overload_level)
+    int solver_tasks = 0;  ///< Solver batches that threads solved in parallel; 0 with one thread.
 };
 
 /// Sub-steps and error of one awake island whose bodies have contacts or joints.

@@ -4,9 +4,11 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <span>
 
 #include "jostle/physics/ids.h"
+#include "jostle/physics/mat3.h"
 #include "jostle/physics/transform.h"
 
 namespace jostle::physics {
@@ -34,6 +36,23 @@ struct MovingBody {
     double mass = 0;             ///< kg
 };
 
+/// How a body responds to impulses and what accelerates it without them: everything that a module
+/// needs to solve its own matter together with the body.
+struct BodyResponse {
+    Vec3 inverse_mass = {};  ///< 1/kg along the world axes; 0 along locked ones
+    /// Inverse inertia about the centre of mass, 1/(kg m^2), world axes; 0 about locked ones.
+    Mat3 inverse_inertia = diagonal({0, 0, 0});
+    /// By gravity and the forces of this step, m/s^2. The solver adds it in the sub-step.
+    Vec3 acceleration = {};
+};
+
+/// Returns the velocity change of a body's point per impulse at that point, 1/kg. `arm` is the
+/// point relative to the centre of mass, m, world.
+Mat3 point_response(const BodyResponse& body, Vec3 arm);
+/// Returns the effective mass of a body at a point in a direction of unit length, kg: impulse per
+/// velocity change. Infinite if the body cannot move that way.
+double effective_mass(const BodyResponse& body, Vec3 arm, Vec3 direction);
+
 /// One sub-step of one group of bodies. The number of sub-steps depends on the group: tall or
 /// heavily loaded islands take more. Each awake dynamic body is in exactly one group; sleeping
 /// bodies are in none. Bodies that touch or are connected by joints are in the same group; others
@@ -58,6 +77,8 @@ public:
     /// contacts or joints is shown at its extrapolated position in the middle of the sub-step.
     /// Position-dependent forces are then of second order and conserve energy.
     virtual MovingBody body(BodyId body) const = 0;
+    /// Returns the response to impulses of a body of the group, as add_impulse() applies them.
+    virtual BodyResponse response(BodyId body) const = 0;
     /// Returns the velocity of a body of the group at a world point, m/s, world.
     virtual Vec3 velocity_at(BodyId body, Vec3 point) const = 0;
 
@@ -66,6 +87,10 @@ public:
     /// the body is not in the group.
     virtual bool add_impulse(BodyId body, Vec3 impulse, Vec3 point) = 0;
     virtual bool add_angular_impulse(BodyId body, Vec3 impulse) = 0;
+
+    /// Same as World::parallel_for(), on the threads that solve this group.
+    virtual void parallel_for(int count, int grain,
+                              const std::function<void(int first, int last)>& function) const = 0;
 };
 
 /// Two shapes that are about to touch, and the properties of their contact. Called once when their

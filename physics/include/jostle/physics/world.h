@@ -375,6 +375,10 @@ public:
     void parallel_for(int count, int grain,
                       const std::function<void(int first, int last)>& function) const;
 
+    /// Counts work of a module, in the units of StepProfile::work (about 0.1 us), towards this step
+    /// and its budget. Call it in before_step(), with an amount that depends on state only.
+    void count_work(std::int64_t work);
+
     // --- for debug views ---
     std::vector<ContactInfo> contacts() const;         ///< sorted by shapes
     std::vector<std::vector<BodyId>> islands() const;  ///< each sorted by id

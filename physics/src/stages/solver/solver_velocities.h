@@ -16,6 +16,9 @@ Vec3 center_now(const BodyStore& bodies, const SolverScratch& scratch, std::uint
 BodyWarm motion_now(const BodyStore& bodies, const SolverScratch& scratch,
                     std::uint32_t awake_index);
 
+// Inverse inertia as the solver uses it, 1/(kg m^2), world axes.
+Mat3 solver_inverse_inertia(const SolverScratch& scratch, std::uint32_t awake_index);
+
 // Applies an impulse in N s and an angular impulse in N m s about the centre of mass. It counts as
 // a non-contact change, so no warm start repeats it.
 void apply_solver_impulse(const BodyStore& bodies, SolverScratch& scratch,

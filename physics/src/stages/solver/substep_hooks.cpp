@@ -1,8 +1,11 @@
 // SPDX-License-Identifier: MIT
 #include "physics/src/stages/solver/substep_hooks.h"
 
+#include <limits>
+
 #include "jostle/base/check.h"
 #include "jostle/physics/step_listener.h"
+#include "physics/src/constraints/free_motion.h"
 #include "physics/src/foundation/tuning.h"
 #include "physics/src/stages/solver/solver_velocities.h"
 #include "physics/src/stages/step_scratch.h"
@@ -37,6 +40,13 @@ public:
         const BodyCold& cold = step_.world.bodies.cold[id.index];
         return {id, pose_of(now, cold), now.center, now.v, now.w, cold.mass};
     }
+    BodyResponse response(BodyId id) const override {
+        ASSERT(contains(id));
+        const BodyWarm now = motion(id);
+        const BodyCold& cold = step_.world.bodies.cold[id.index];
+        return {free_directions(cold) * cold.inverse_mass, inverse_inertia(id, now),
+                acceleration_of(now, cold, step_.world.def.gravity)};
+    }
     Vec3 velocity_at(BodyId id, Vec3 point) const override {
         ASSERT(contains(id));
         const BodyWarm now = motion(id);
@@ -52,9 +62,20 @@ public:
         push(id, {}, impulse);
         return true;
     }
+    void parallel_for(int count, int grain,
+                      const std::function<void(int, int)>& function) const override {
+        ASSERT(count >= 0 && grain >= 1);
+        // A concurrent group has one thread.
+        if (!listens_at_once(step_.world.listeners))
+            step_.thread_pool.run(count, grain, function);
+        else if (count > 0)
+            function(0, count);
+    }
 
 protected:
     virtual BodyWarm motion(BodyId id) const = 0;
+    // As push() uses it, 1/(kg m^2), world axes.
+    virtual Mat3 inverse_inertia(BodyId id, const BodyWarm& now) const = 0;
     virtual void push(BodyId id, Vec3 impulse, Vec3 angular_impulse) = 0;
 
     // Its index in the awake set, or none.
@@ -89,6 +110,9 @@ private:
     BodyWarm motion(BodyId id) const override {
         return motion_now(step_.world.bodies, step_.scratch.solver, awake_index(id));
     }
+    Mat3 inverse_inertia(BodyId id, const BodyWarm&) const override {
+        return solver_inverse_inertia(step_.scratch.solver, awake_index(id));
+    }
     void push(BodyId id, Vec3 impulse, Vec3 angular_impulse) override {
         apply_solver_impulse(step_.world.bodies, step_.scratch.solver, awake_index(id), impulse,
                              angular_impulse);
@@ -118,6 +142,9 @@ private:
         return inside ? moving_index - first_free_index_ : none;
     }
     BodyWarm motion(BodyId id) const override { return moving_[moving_index(id)]; }
+    Mat3 inverse_inertia(BodyId id, const BodyWarm& now) const override {
+        return world_inverse_inertia(now, step_.world.bodies.cold[id.index]);
+    }
     void push(BodyId id, Vec3 impulse, Vec3 angular_impulse) override {
         BodyWarm& now = moving_[moving_index(id)];
         const BodyCold& cold = step_.world.bodies.cold[id.index];
@@ -189,6 +216,16 @@ void push_by_fields(StepContext& step, const SubstepInfo& substep_info,
                                  push.torque * substep_info.h);
         }
     });
+}
+
+Mat3 point_response(const BodyResponse& body, Vec3 arm) {
+    const Mat3 across = skew(arm);
+    return diagonal(body.inverse_mass) - across * body.inverse_inertia * across;
+}
+
+double effective_mass(const BodyResponse& body, Vec3 arm, Vec3 direction) {
+    const double inverse = dot(direction, point_response(body, arm) * direction);
+    return inverse > 0 ? 1 / inverse : std::numeric_limits<double>::infinity();
 }
 
 }  // namespace jostle::physics

@@ -2,10 +2,12 @@
 //
 // Ropes in scenes and for clients: reads settings and publishes channels.
 #include <algorithm>
+#include <span>
 #include <string>
 
 #include "jostle/modules/rope.h"
 #include "jostle/modules/settings.h"
+#include "jostle/physics/scalar.h"
 #include "modules/rope/src/rope_checks.h"
 #include "modules/rope/src/rope_data.h"
 
@@ -99,27 +101,20 @@ Status Ropes::configure(World& world, const ModuleSettings& settings) {
 }
 
 std::vector<ChannelKind> Ropes::channels() const {
-    return {{"", ChannelForm::points, points_divisor},
-            {"strands", ChannelForm::params, points_divisor}};
+    return {{"", ChannelForm::points, points_divisor}};
 }
 
 void Ropes::publish(const World&, ChannelWriter& channels) const {
-    if (ropes_.empty()) return;
-    std::vector<Vec3> points;
-    std::vector<std::size_t> counts;
     for (const auto& rope : ropes_) {
-        const std::vector<Vec3>& nodes = rope->strand.positions;
-        counts.push_back(std::min(nodes.size(), published_max - points.size()));
-        points.insert(points.end(), nodes.begin(),
-                      nodes.begin() + static_cast<std::ptrdiff_t>(counts.back()));
-    }
-    if (channels.begin(0)) channels.points(1000, points);
-    if (!channels.begin(1)) return;
-    for (std::size_t k = 0; k < ropes_.size(); k++) {
-        channels.value(static_cast<std::int32_t>(ropes_[k]->key.number));
-        channels.value(static_cast<std::int32_t>(counts[k]));
-        channels.f32(static_cast<float>(ropes_[k]->def.radius));
-        channels.value(static_cast<std::int32_t>(ropes_[k]->def.color));
+        const auto nodes = static_cast<std::uint32_t>(rope->strand.positions.size());
+        channels.points(
+            0, {.key = rope->key.number,
+                .step = clamp(rope->def.radius / 8, published_step_min, published_step_max),
+                .radius = rope->def.radius,
+                .color = rope->def.color,
+                .form = PointForm::strands,
+                .positions = rope->strand.positions,
+                .strands = std::span(&nodes, 1)});
     }
 }
 

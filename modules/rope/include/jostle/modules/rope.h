@@ -37,8 +37,8 @@ public:
     static constexpr std::size_t ropes_max = 1024;      ///< maximum number of ropes
     static constexpr std::size_t links_max = 20000;     ///< of all ropes
     static constexpr std::size_t attachments_max = 64;  ///< of a rope
-    static constexpr std::size_t published_max = 5000;  ///< nodes in the channel "rope"
-    static constexpr int points_divisor = 2;            ///< steps between publications
+    static constexpr double published_step_min = 0.001, published_step_max = 0.01;  ///< m
+    static constexpr int points_divisor = 2;  ///< steps between publications
 
     Ropes();
     ~Ropes() override;
@@ -93,12 +93,8 @@ public:
     physics::Status configure(physics::World& world,
                               const physics::ModuleSettings& settings) override;
 
-    /// Publishes two channels every points_divisor steps.
-    ///
-    /// "rope", of the form points: the positions of the nodes in mm, at most published_max, rope by
-    /// rope.
-    ///
-    /// "rope.strands": per rope: key, number of published nodes, radius (f32) and color.
+    /// Publishes the channel "rope" of the form points every points_divisor steps: each rope as a
+    /// strand, with positions in steps of an eighth of its radius, 1 mm to 1 cm.
     std::vector<physics::ChannelKind> channels() const override;
     void publish(const physics::World& world, physics::ChannelWriter& channels) const override;
 

@@ -89,7 +89,7 @@ struct FieldDef {
     std::uint64_t user_data = 0;  ///< stored, saved and returned, not interpreted
 };
 
-/// What a field does to matter of a module at a point.
+/// Effect of a field on matter of a module at a point.
 struct FieldSample {
     Vec3 acceleration = {};  ///< m/s^2, of any mass
     Vec3 force = {};         ///< N, on each piece of matter, whatever its mass

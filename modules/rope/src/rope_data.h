@@ -74,6 +74,7 @@ struct Rope {
     std::vector<CarriedBody> bodies;  // first those of the attachments, then those of `nearby`
     std::vector<std::uint32_t> attached_body;  // per attachment: index in `bodies`, or none
     std::vector<std::uint32_t> nearby_body;    // per body of `nearby`
+    std::vector<physics::Vec3> forces;         // of fields, N per node; empty without fields
     std::vector<NodeLoad> loads;
     std::vector<Clamp> clamps;
     std::vector<std::uint32_t> clamp_body;

@@ -178,10 +178,11 @@ public:
             count_shares();
             make_loads();
             make_travels();
+            apply_fields(substep_.time + n * h_);
             advance_strand(rope_.strand,
                            {.h = h_,
                             .gravity = substep_.gravity,
-                            .forces = {},
+                            .forces = rope_.forces,
                             .loads = rope_.loads,
                             .clamps = rope_.clamps,
                             .contacts = rope_.strand_contacts},
@@ -238,6 +239,35 @@ private:
             rope_.nearby.place(
                 k, body->center,
                 body->rotation * conjugate(rope_.nearby.bodies()[k].origin.rotation));
+        }
+    }
+
+    // Forces of fields on the nodes, N. The drag acts across each link, as on a cylinder, and is
+    // integrated over the sub-step, so any drag is stable: du/dt = -k |u| u has the solution
+    // u / (1 + k |u| h).
+    void apply_fields(double time) {
+        rope_.forces.clear();
+        if (substep_.fields.empty()) return;
+        const Strand& strand = rope_.strand;
+        rope_.forces.resize(strand.positions.size());
+        for (std::size_t k = 0; k < strand.links(); k++) {
+            const Vec3 center = (strand.positions[k] + strand.positions[k + 1]) * 0.5;
+            const Vec3 along = normalized(strand.positions[k + 1] - strand.positions[k]);
+            const double mass = strand.mass_per_length * strand.rest_lengths[k];
+            Vec3 velocity = (strand.velocities[k] + strand.velocities[k + 1]) * 0.5, sum;
+            for (const FieldDef& field : substep_.fields) {
+                const FieldSample at = sample(field, center, time);
+                sum += at.acceleration * mass + at.force * strand.rest_lengths[k];
+                if (at.density == 0) continue;
+                const Vec3 flow = at.flow - velocity, across = flow - along * dot(along, flow);
+                const double area = 2 * rope_.def.radius * strand.rest_lengths[k];
+                const double rate = 0.5 * at.density * at.drag * area / mass * length(across);
+                const Vec3 change = across * (1 - 1 / (1 + rate * h_));
+                velocity += change;
+                sum += change * (mass / h_);
+            }
+            rope_.forces[k] += sum * 0.5;
+            rope_.forces[k + 1] += sum * 0.5;
         }
     }
 
@@ -463,7 +493,7 @@ void wake(Rope& rope) {
     rope.rest_time = 0;
 }
 
-void begin_step(World& world, Rope& rope, double dt) {
+void begin_step(World& world, Rope& rope, double dt, bool in_fields) {
     drop_lost_bodies(world, rope);
     rope.peak_tension = 0;
     rope.peak_link = 0;
@@ -474,7 +504,7 @@ void begin_step(World& world, Rope& rope, double dt) {
     if (rope.def.collide_bodies)
         rope.nearby.collect(world, bounds_of(rope, reach), dt,
                             {.categories = rope.def.body_categories});
-    if (!rope.awake && is_disturbed(world, rope)) wake(rope);
+    if (!rope.awake && (in_fields || is_disturbed(world, rope))) wake(rope);
     if (!rope.awake) return;
     std::erase_if(rope.touched,
                   [](TouchedBody& body) { return body.steps_since++ >= touch_memory; });
@@ -496,7 +526,7 @@ void advance(Rope& rope, const RopeSubstep& substep, int count) {
     rope.substeps_done++;
 }
 
-void end_step(World& world, Rope& rope, double dt) {
+void end_step(World& world, Rope& rope, double dt, bool in_fields) {
     if (!rope.awake) return;
     save_pushes(rope);
     bool bodies_rest = true;
@@ -510,7 +540,7 @@ void end_step(World& world, Rope& rope, double dt) {
         static_cast<void>(world.apply_impulse(body.id, body.impulse, state->center));
         static_cast<void>(world.apply_angular_impulse(body.id, body.angular_impulse));
     }
-    const bool rests = bodies_rest && rope.winch[0] == 0 && rope.winch[1] == 0 &&
+    const bool rests = bodies_rest && !in_fields && rope.winch[0] == 0 && rope.winch[1] == 0 &&
                        greatest_speed(rope.strand) <= rest_speed;
     rope.rest_time = rests ? rope.rest_time + dt : 0;
     if (rope.rest_time < time_to_sleep) return;

@@ -3,6 +3,9 @@
 // One rope in a step of the world.
 #pragma once
 
+#include <span>
+
+#include "jostle/physics/force_fields.h"
 #include "jostle/physics/world.h"
 #include "modules/rope/src/rope_data.h"
 
@@ -10,22 +13,25 @@ namespace jostle::modules::rope_detail {
 
 // Where a sub-step of a rope gets its time and its bodies from.
 struct RopeSubstep {
-    double h = 0;                              // s
-    physics::Vec3 gravity;                     // m/s^2
-    physics::SubstepContext* group = nullptr;  // null: no dynamic bodies move with the rope
+    double h = 0;                                    // s
+    physics::Vec3 gravity;                           // m/s^2
+    double time = 0;                                 // s, of the world at the start of the sub-step
+    std::span<const physics::FieldDef> fields = {};  // of the world
+    physics::SubstepContext* group = nullptr;        // null: no dynamic bodies move with the rope
 };
 
-// Before a step: puts the rope to sleep or wakes it, finds the shapes and bodies near it, and ties
-// its bodies. Resting ropes do not wake bodies.
-void begin_step(physics::World& world, Rope& rope, double dt);
+// Before a step: wakes the rope if something near it moves or if the world has force fields, finds
+// the shapes and bodies near it, and ties its bodies. Resting ropes do not wake bodies.
+void begin_step(physics::World& world, Rope& rope, double dt, bool in_fields);
 // Gives the bodies of the group the impulses of the last sub-step. Call it for all ropes of the
 // group before advance(), which replaces them.
 void push_as_before(Rope& rope, physics::SubstepContext& group);
 // Advances the rope and gives its bodies their impulses. Divides the sub-step so that the rope
 // takes at least RopeDef::substeps per step; `count` is the number of sub-steps of the step.
 void advance(Rope& rope, const RopeSubstep& substep, int count);
-// After a step: gives the impulses to bodies that are in no group of the rope.
-void end_step(physics::World& world, Rope& rope, double dt);
+// After a step: gives the impulses to bodies that are in no group of the rope, and puts the rope to
+// sleep. Ropes do not sleep in worlds with force fields.
+void end_step(physics::World& world, Rope& rope, double dt, bool in_fields);
 // Wakes a rope that something changes.
 void wake(Rope& rope);
 

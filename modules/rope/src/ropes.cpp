@@ -305,12 +305,15 @@ StepHooks Ropes::hooks() const {
 void Ropes::before_step(World& world, double dt) {
     events_.clear();
     if (ropes_.empty()) return;
+    fields_.clear();
+    for (const FieldId id : world.fields())
+        if (const Result<FieldDef> field = world.field(id); field.ok()) fields_.push_back(*field);
     std::vector<Rope*> alone;
     std::int64_t work = 0;
     for (const auto& rope : ropes_) {
         if (rope->winch[0] != 0 || rope->winch[1] != 0)
             rope_detail::keep_link_lengths(*rope, links_max - std::min(links_max, link_count()));
-        rope_detail::begin_step(world, *rope, dt);
+        rope_detail::begin_step(world, *rope, dt, !fields_.empty());
         if (!rope->awake) continue;
         work += static_cast<std::int64_t>(rope->strand.links()) *
                 std::max<std::int64_t>(rope->def.substeps, world.substeps()) * link_work;
@@ -321,17 +324,22 @@ void Ropes::before_step(World& world, double dt) {
         std::vector<Rope*>& ropes;
         rope_detail::RopeSubstep substep;
         int count;
-    } run{alone, {dt / world.substeps(), world.gravity(), nullptr}, world.substeps()};
+    } run{alone,
+          {dt / world.substeps(), world.gravity(), world.time(), fields_, nullptr},
+          world.substeps()};
     world.parallel_for(static_cast<int>(alone.size()), 1, [&run](int first, int last) {
         for (int k = first; k < last; k++)
-            for (int n = 0; n < run.count; n++)
-                rope_detail::advance(*run.ropes[static_cast<std::size_t>(k)], run.substep,
-                                     run.count);
+            for (int n = 0; n < run.count; n++) {
+                rope_detail::RopeSubstep substep = run.substep;
+                substep.time += n * substep.h;
+                rope_detail::advance(*run.ropes[static_cast<std::size_t>(k)], substep, run.count);
+            }
     });
 }
 
 void Ropes::before_substep(SubstepContext& substep) {
-    const rope_detail::RopeSubstep own{substep.h(), substep.world().gravity(), &substep};
+    const rope_detail::RopeSubstep own{substep.h(), substep.world().gravity(), substep.time(),
+                                       fields_, &substep};
     for (const auto& rope : ropes_)
         if (rope->awake && rope->ties.owned_by(substep))
             rope_detail::push_as_before(*rope, substep);
@@ -347,8 +355,10 @@ void Ropes::after_step(World& world, double dt) {
         Rope& rope = *ropes_[k];
         if (!rope.awake) continue;
         // Its bodies were in no group, for example because the step was stopped.
-        if (rope.substeps_done == 0) rope_detail::advance(rope, {dt, world.gravity(), nullptr}, 1);
-        rope_detail::end_step(world, rope, dt);
+        if (rope.substeps_done == 0)
+            rope_detail::advance(rope, {dt, world.gravity(), world.time() - dt, fields_, nullptr},
+                                 1);
+        rope_detail::end_step(world, rope, dt, !fields_.empty());
         if (rope.def.breaking_load == 0 || rope.peak_tension <= rope.def.breaking_load) continue;
         // Breaks at the inner node next to the link, or at its attachment if there is none.
         const std::size_t node = std::clamp<std::size_t>(

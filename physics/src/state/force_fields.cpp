@@ -251,4 +251,56 @@ Status check_field(const FieldDef& field, bool planar) {
                  "region.low is above region.high; region.low must be the lower corner"};
 }
 
+namespace {
+
+// The law of a field at a point, without its region.
+struct SampleOf {
+    Vec3 point;
+    double time;
+
+    FieldSample operator()(const UniformWind& wind) const {
+        Vec3 flow = wind.velocity;
+        if (wind.gust != Vec3{}) flow += wind.gust * sin_cos(2 * pi * time / wind.gust_period).sin;
+        return {.flow = flow, .density = wind.density, .drag = wind.drag};
+    }
+    FieldSample operator()(const RadialField& radial) const {
+        const Vec3 away = point - radial.center;
+        const double r = length(away);
+        if (!(r > 0)) return {};
+        return pushed(radial, away * (strength(radial, radial.strength, r) / r));
+    }
+    FieldSample operator()(const VortexField& vortex) const {
+        const Vec3 from = point - vortex.center;
+        const Vec3 out = from - vortex.axis * dot(from, vortex.axis);
+        const double r = length(out);
+        Vec3 sum = vortex.axis * strength(vortex, vortex.lift, r);
+        if (r > 0)
+            sum += cross(vortex.axis, out) * (strength(vortex, vortex.strength, r) / r) -
+                   out * (strength(vortex, vortex.pull, r) / r);
+        return pushed(vortex, sum);
+    }
+    FieldSample operator()(const BuoyancyField& fluid) const {
+        if (dot(fluid.normal, point) > fluid.offset) return {};
+        return {.flow = fluid.flow, .density = fluid.density, .drag = fluid.drag};
+    }
+
+    template <class Field>
+    static double strength(const Field& field, double strength, double r) {
+        return strength / to_power(maximum(r, field.min_distance), field.falloff);
+    }
+    template <class Field>
+    static FieldSample pushed(const Field& field, Vec3 push) {
+        FieldSample sample;
+        (field.per_mass ? sample.acceleration : sample.force) = push;
+        return sample;
+    }
+};
+
+}  // namespace
+
+FieldSample sample(const FieldDef& field, Vec3 point, double time) {
+    if (field.region && !contains(*field.region, Aabb{point, point})) return {};
+    return std::visit(SampleOf{point, time}, field.force);
+}
+
 }  // namespace jostle::physics

@@ -296,5 +296,27 @@ TEST(Ropes, hold_a_log_in_two_slings) {
     EXPECT_NEAR(sum, weight, 0.15 * weight);
 }
 
+TEST(Ropes, lean_in_the_wind) {
+    // A short stiff pendulum of one link: the drag across it equals its weight across it:
+    // rho / 2 c 2 r L (w cos a)^2 = m g sin a, as forces per length.
+    RopeWorld w;
+    w.world.create_field({.force = UniformWind{.velocity = {10, 0, 0}, .density = 1.2, .drag = 1}})
+        .value();
+    const RopeKey rope = w.ropes
+                             ->add(w.world, {.points = {{0, 5, 0}, {0, 4, 0}},
+                                             .links = 1,
+                                             .radius = 0.02,
+                                             .mass_per_length = 0.4,
+                                             .damping = 2})
+                             .value();
+    w.ropes->attach(w.world, rope, {.node = 0, .point = {0, 5, 0}}).expect();
+    w.run(10);
+    const Vec3 end = w.ropes->positions(rope)[1];
+    const double sine = end.x, cosine = 5 - end.y;
+    const double drag = 0.5 * 1.2 * 0.04 * 100 * cosine * cosine;
+    EXPECT_NEAR(drag, 0.4 * g * sine, 0.01 * drag);
+    EXPECT_TRUE(w.ropes->is_awake(rope));
+}
+
 }  // namespace
 }  // namespace jostle::modules

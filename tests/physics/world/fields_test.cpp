@@ -36,6 +36,28 @@ TEST(FieldCalls, round_trips_a_field) {
     EXPECT_TRUE(world.fields().empty());
 }
 
+TEST(FieldCalls, samples_fields_at_a_point) {
+    const FieldSample wind = sample({.force = UniformWind{.velocity = {3, 0, 0},
+                                                          .gust = {0, 2, 0},
+                                                          .gust_period = 4,
+                                                          .density = 1.5,
+                                                          .drag = 0.5}},
+                                    {7, 8, 9}, 1);
+    EXPECT_LT(length(wind.flow - Vec3{3, 2, 0}), 1e-9);  // a quarter of the period
+    EXPECT_EQ(wind.density, 1.5);
+    EXPECT_EQ(wind.drag, 0.5);
+    const FieldDef pull{.force = RadialField{.center = {1, 0, 0}, .strength = -8, .per_mass = true},
+                        .region = Aabb{{-9, -9, -9}, {9, 9, 9}}};
+    EXPECT_LT(length(sample(pull, {3, 0, 0}, 0).acceleration - Vec3{-2, 0, 0}), 1e-12);
+    EXPECT_EQ(sample(pull, {30, 0, 0}, 0).acceleration, Vec3{});  // outside
+    const FieldSample vortex =
+        sample({.force = VortexField{.strength = 6, .pull = 3, .lift = 9}}, {0, 5, 3}, 0);
+    EXPECT_LT(length(vortex.force - Vec3{2, 3, -1}), 1e-12);
+    const FieldDef water{.force = BuoyancyField{.offset = 2, .density = 1000, .flow = {1, 0, 0}}};
+    EXPECT_EQ(sample(water, {0, 1, 0}, 0).density, 1000);
+    EXPECT_EQ(sample(water, {0, 3, 0}, 0).density, 0);
+}
+
 TEST(FieldCalls, errors_name_the_field) {
     World world;
     EXPECT_THAT(error_of(world, {.force = UniformWind{.drag = -1}}), HasSubstr("wind.drag is -1"));

@@ -89,4 +89,18 @@ struct FieldDef {
     std::uint64_t user_data = 0;  ///< stored, saved and returned, not interpreted
 };
 
+/// Effect of a field on matter of a module at a point.
+struct FieldSample {
+    Vec3 acceleration = {};  ///< m/s^2, of any mass
+    Vec3 force = {};         ///< N, on each piece of matter, whatever its mass
+    /// The medium at the point: its velocity in m/s, density in kg/m^3 and drag coefficient, for
+    /// F = density / 2 * drag * area * |u| u. Density 0: no medium.
+    Vec3 flow = {};
+    double density = 0, drag = 0;
+};
+
+/// Evaluates a field at a point (m) and time (s), World::time(). Nothing outside of its region or,
+/// for a fluid, above its surface. Masks are not applied. Thread-safe.
+FieldSample sample(const FieldDef& field, Vec3 point, double time);
+
 }  // namespace jostle::physics

@@ -13,6 +13,9 @@
 //
 // A rope moves in the sub-steps of the group of its bodies. A rope without dynamic bodies moves at
 // the start of the step. It falls asleep with its bodies.
+//
+// All force fields of the world act on ropes: drag of media across the links, as on a cylinder, and
+// forces per metre of rope. Ropes do not sleep in worlds with force fields.
 #pragma once
 
 #include <cstdint>
@@ -22,6 +25,7 @@
 #include <vector>
 
 #include "jostle/modules/rope_def.h"
+#include "jostle/physics/force_fields.h"
 #include "jostle/physics/module.h"
 #include "jostle/physics/world.h"
 
@@ -112,6 +116,7 @@ private:
     std::vector<std::unique_ptr<rope_detail::Rope>> ropes_;  ///< sorted by key
     std::uint32_t last_key_ = 0;
     std::vector<RopeEvent> events_;
+    std::vector<physics::FieldDef> fields_;  ///< of the world in this step; not state
 };
 
 /// Registers the module for scenes and loading. May be called repeatedly.

@@ -41,7 +41,7 @@ double InterestView::point_tokens() const {
 }
 
 bool InterestView::point_bucket_is_full() const {
-    return point_tokens() >= capacity(cells_wait_ ? points_share * rate_ : rate_);
+    return point_tokens() >= capacity(points_share * rate_);
 }
 
 void InterestView::spend_points(std::size_t bytes) {

@@ -63,7 +63,8 @@ public:
     bool is_limited() const { return rate_ != 0; }
     // Bytes of point objects that may be sent now; negative after a large piece.
     double point_tokens() const;
-    // A piece larger than the bucket is sent when the bucket is full.
+    // A piece larger than the bucket is sent when the bucket is full. The bucket of point objects
+    // is half of all; the other half may be in constant use.
     bool point_bucket_is_full() const;
     void spend_points(std::size_t bytes);
     // Snapshots from one update to the next at a distance.

@@ -55,6 +55,9 @@ PackedPoints encode_points(const PointLayout& layout, const PointOrder& order,
     packed.crc = crc_of(state);
     packed.bytes = out.finish();
     packed.bytes_of_levels[levels - 1] = packed.bytes.size();
+    // Each level of loose points has about half of the points of the next one.
+    for (std::size_t level = levels - 1; layout.form == PointForm::loose && level > 0; level--)
+        packed.bytes_of_levels[level - 1] = packed.bytes_of_levels[level] / 2;
     return packed;
 }
 

@@ -120,6 +120,10 @@ TEST(PointCodec, sizes_of_coarse_levels_are_known_from_the_complete_encoding) {
         EXPECT_NEAR(static_cast<double>(packed.bytes_of_levels[levels - 1]), bytes,
                     0.2 * bytes + 8);
     }
+    PointState loose{1, {}, std::vector<std::uint32_t>(64, no_point)};
+    for (std::int32_t k = 0; k < 192; k++) loose.values.push_back(k * k % 1000);
+    const PackedPoints all = encode_points({}, {}, loose, {});
+    EXPECT_EQ(all.bytes_of_levels[1], all.bytes.size() / 4) << "a quarter of the points";
 }
 
 TEST(PointCodec, holds_65536_loose_points_and_rejects_one_more) {

@@ -57,6 +57,15 @@ public:
 
     physics::Vec3 position(std::size_t vertex) const;
     physics::Vec3 velocity(std::size_t vertex) const;
+    // Relative to the root, exact in single precision.
+    physics::Vec3 relative_position(std::size_t vertex) const {
+        return {nodes_[vertex].x, nodes_[vertex].y, nodes_[vertex].z};
+    }
+    void set_relative_position(std::size_t vertex, physics::Vec3 p) {
+        nodes_[vertex].x = static_cast<float>(p.x);
+        nodes_[vertex].y = static_cast<float>(p.y);
+        nodes_[vertex].z = static_cast<float>(p.z);
+    }
     void set_position(std::size_t vertex, physics::Vec3 position);
     void set_velocity(std::size_t vertex, physics::Vec3 velocity);
     // Predicted displacement in the current sub-step, m.

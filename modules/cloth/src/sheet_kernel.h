@@ -28,9 +28,9 @@ struct SheetArrays {
     const float* stretch_compliance = nullptr;  // m/N
     float* tensions = nullptr;                  // N, of the last sub-step
     float* scratch = nullptr;                   // 40 floats per link of the longest chain
-    // Per node 4 floats, or null: the inverse mass of a node along the unit vector of q is less by
-    // q^2, because it presses against a body.
-    const float* pressed = nullptr;
+    // Per node 4 floats, or null: q and the pull of the threads along q in the sub-step, kg^1/2 m.
+    // The inverse mass of a node along q is less by q^2, because it presses against a body.
+    float* pressed = nullptr;
 
     std::size_t cell_count = 0;                 // blocks of eight
     const std::uint32_t* cell_nodes = nullptr;  // 4 x 8 per block

@@ -35,12 +35,16 @@ Wide3 load_pressed(const SheetArrays& sheet, const std::uint32_t* index) {
     }
 }
 
-// The motion of a node by a pull.
+// The motion of nodes by a pull. Adds the pull along q to the fourth number of pressed nodes.
 template <bool pressed>
-Wide3 response(const WideNode& node, Wide3 q, Wide3 pull) {
+Wide3 respond(const SheetArrays& sheet, const std::uint32_t* index, const WideNode& node,
+              Wide3 pull) {
     const Wide3 motion = pull * node.inverse_mass;
     if constexpr (!pressed) return motion;
-    return motion - q * dot(q, pull);
+    const Wide3 q = load_pressed<pressed>(sheet, index);
+    const Wide along = dot(q, pull);
+    for (int k = 0; k < 8; k++) sheet.pressed[4 * std::size_t{index[k]} + 3] += along[k];
+    return motion - q * along;
 }
 
 template <bool pressed>
@@ -102,8 +106,7 @@ float solve_chains_of(const SheetArrays& sheet, float h) {
             const std::uint32_t* to = nodes + 8 * (k + 1);
             const WideNode b = load_nodes(sheet.nodes, to);
             store_moved(sheet.nodes, to,
-                        b.moved + response<pressed>(b, load_pressed<pressed>(sheet, to),
-                                                    pull_after - pull));
+                        b.moved + respond<pressed>(sheet, to, b, pull_after - pull));
             const Wide force = multiplier * per_h2;
             store(tension + 8 * k, force);
             const Wide rate = force * b.inverse_mass / larger(load(rest + 8 * k), tiny);
@@ -115,7 +118,7 @@ float solve_chains_of(const SheetArrays& sheet, float h) {
         const WideNode first = load_nodes(sheet.nodes, nodes);
         store_moved(sheet.nodes, nodes,
                     first.moved +
-                        response<pressed>(first, load_pressed<pressed>(sheet, nodes), pull_after));
+                        respond<pressed>(sheet, nodes, first, pull_after));
     }
     float result = 0;
     for (int k = 0; k < 8; k++)

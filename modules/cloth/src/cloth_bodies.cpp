@@ -90,13 +90,15 @@ void tie_bodies(World& world, Cloth& cloth) {
     for (const BodyId body : cloth.ties.bodies()) static_cast<void>(world.wake(body));
 }
 
-void touch(Cloth& cloth, const CarriedBody& body) {
-    if (body.type != BodyType::dynamic) return;
+bool touch(Cloth& cloth, const CarriedBody& body) {
+    if (body.type != BodyType::dynamic) return false;
     const auto at = std::ranges::lower_bound(cloth.touched, body.id, {}, &TouchedBody::body);
-    if (at != cloth.touched.end() && at->body == body.id)
+    if (at != cloth.touched.end() && at->body == body.id) {
         at->steps_since = 0;
-    else
-        cloth.touched.insert(at, {body.id, 0});
+        return false;
+    }
+    cloth.touched.insert(at, {body.id, 0});
+    return true;
 }
 
 void read_group(Cloth& cloth, const SubstepContext* group) {
@@ -135,8 +137,8 @@ void move_bodies(Cloth& cloth, double h) {
 }
 
 bool is_pushed(const CarriedBody& body) {
-    return body.type == BodyType::dynamic && (body.response.inverse_mass != Vec3{} ||
-                                              body.response.inverse_inertia.x != Vec3{});
+    return body.type == BodyType::dynamic &&
+           (body.response.inverse_mass != Vec3{} || body.response.inverse_inertia.x != Vec3{});
 }
 
 Vec3 travel_of(const CarriedBody& body, Vec3 arm, double h) {

@@ -17,8 +17,8 @@ void find_bodies(const physics::World& world, Cloth& cloth);
 bool is_moving(const physics::World& world, physics::BodyId body);
 // Ties the bodies of attachments and recent contacts, so that one group contains them.
 void tie_bodies(physics::World& world, Cloth& cloth);
-// Notes a contact with a body.
-void touch(Cloth& cloth, const CarriedBody& body);
+// Notes a contact with a body. Returns whether it is new.
+bool touch(Cloth& cloth, const CarriedBody& body);
 
 // Reads the motion of the bodies of a group, and applies the impulses to them.
 void read_group(Cloth& cloth, const physics::SubstepContext* group);

@@ -31,7 +31,8 @@ Status check_number(const std::string& name, double value, double low, double hi
 Status check_vector(const std::string& name, Vec3 value) {
     const char* axes[] = {".x", ".y", ".z"};
     for (int axis = 0; axis < 3; axis++)
-        if (Status s = check_number(name + axes[axis], value[axis], -coordinate_max, coordinate_max);
+        if (Status s =
+                check_number(name + axes[axis], value[axis], -coordinate_max, coordinate_max);
             !s.ok())
             return s;
     return {};
@@ -86,12 +87,12 @@ Status check_mesh(const ClothDef& def) {
                                " does not exist");
         const Vec3 a = def.vertices[def.triangles[k]], b = def.vertices[def.triangles[k + 1]],
                    c = def.vertices[def.triangles[k + 2]];
-        const double longest =
-            std::max(length(b - a), std::max(length(c - a), length(c - b)));
+        const double longest = std::max(length(b - a), std::max(length(c - a), length(c - b)));
         const double height = longest > 0 ? length(cross(b - a, c - a)) / longest : 0;
         if (!(height >= 1e-4) || height < 0.01 * longest)
-            return invalid(name + ": is degenerate; its height must be at least 0.1 mm and 1 % of "
-                                  "its longest edge");
+            return invalid(name +
+                           ": is degenerate; its height must be at least 0.1 mm and 1 % of "
+                           "its longest edge");
         for (std::size_t i = 0; i < 3; i++) {
             const std::uint32_t v = def.triangles[k + i], w = def.triangles[k + (i + 1) % 3];
             used[v] = true;
@@ -101,15 +102,15 @@ Status check_mesh(const ClothDef& def) {
         }
     }
     for (std::size_t k = 0; k < used.size(); k++)
-        if (!used[k])
-            return invalid("vertices[" + std::to_string(k) + "]: has no triangle");
+        if (!used[k]) return invalid("vertices[" + std::to_string(k) + "]: has no triangle");
     return {};
 }
 
 }  // namespace
 
 Status check(const ClothDef& def) {
-    if (Status s = def.triangles.empty() ? check_grid(def.grid) : check_mesh(def); !s.ok()) return s;
+    if (Status s = def.triangles.empty() ? check_grid(def.grid) : check_mesh(def); !s.ok())
+        return s;
     if (def.triangles.empty() && !def.vertices.empty())
         return invalid("vertices: a mesh needs triangles");
     const Status checks[] = {

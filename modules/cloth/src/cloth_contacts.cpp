@@ -53,6 +53,12 @@ double greatest_speed(const Sheet& sheet) {
     return square_root(most);
 }
 
+double mean_speed(const Sheet& sheet) {
+    double sum = 0;
+    for (std::size_t k = 0; k < sheet.size(); k++) sum += length_squared(sheet.velocity(k));
+    return square_root(sum / static_cast<double>(sheet.size()));
+}
+
 void place_shapes(Cloth& cloth) {
     for (std::size_t k = 0; k < cloth.nearby_body.size(); k++) {
         if (cloth.nearby_body[k] == no_body) continue;
@@ -64,14 +70,69 @@ void place_shapes(Cloth& cloth) {
     }
 }
 
+namespace {
+
+// Shapes that fit between vertices, or are fast enough to stretch the threads around them, touch
+// edges too.
+bool touches_edges(const CarriedBody& body, double radius, double longest) {
+    constexpr double fast = 5;  // m/s
+    return body.type != BodyType::static_body &&
+           (radius < 2 * longest || length_squared(body.velocity) > fast * fast);
+}
+
+void find_edge_contacts(Cloth& cloth, double margin) {
+    cloth.edge_contacts.clear();
+    const Sheet& sheet = cloth.sheet;
+    double longest = 0;
+    for (const SheetEdge& edge : sheet.topology().edges)
+        longest = maximum(longest, edge.rest_length);
+    std::vector<bool> small(cloth.nearby.bodies().size());
+    bool any = false;
+    for (std::size_t k = 0; k < small.size(); k++) {
+        if (cloth.nearby_body[k] == no_body) continue;
+        const CarriedBody& body = cloth.bodies[cloth.nearby_body[k]];
+        small[k] = touches_edges(body, cloth.nearby.bodies()[k].radius, longest) &&
+                   !is_attached_to(cloth, body.id);
+        any = any || small[k];
+    }
+    if (!any) return;
+    const auto& edges = sheet.topology().edges;
+    for (std::uint32_t e = 0; e < edges.size(); e++) {
+        if (sheet.is_torn(e)) continue;
+        const Vec3 a = sheet.position(edges[e].a), b = sheet.position(edges[e].b);
+        const double size = length(b - a);
+        if (size < 1e-6) continue;
+        bool is_near = false;
+        for (std::size_t k = 0; k < small.size() && !is_near; k++) {
+            const NearbyShapes::Body& body = cloth.nearby.bodies()[k];
+            const double most = body.radius + size + margin + cloth.def.thickness;
+            is_near = small[k] && length_squared(body.center - a) < most * most;
+        }
+        if (!is_near) continue;
+        cloth.found.clear();
+        cloth.nearby.capsule_contacts(a, b, cloth.def.thickness, margin, cloth.found);
+        for (const CapsuleContact& found : cloth.found) {
+            const std::uint32_t of = cloth.nearby.body_of(found.shape);
+            // The ends are contacts of vertices.
+            if (!small[of] || found.fraction < 0.05 || found.fraction > 0.95) continue;
+            cloth.edge_contacts.push_back(
+                {edges[e].a, edges[e].b, cloth.nearby_body[of], found.fraction, found.point,
+                 found.normal, found.gap,
+                 square_root(cloth.def.friction * cloth.nearby.material(found.shape).friction)});
+        }
+    }
+}
+
+}  // namespace
+
 void find_contacts(Cloth& cloth, double h, Vec3 gravity) {
     cloth.contacts.clear();
+    cloth.edge_contacts.clear();
     if (cloth.nearby.size() == 0) return;
     const Sheet& sheet = cloth.sheet;
     const double thickness = cloth.def.thickness;
     const double margin =
-        0.25 * thickness +
-        h * (greatest_speed(sheet) + fastest_body(cloth) + h * length(gravity));
+        0.25 * thickness + h * (greatest_speed(sheet) + fastest_body(cloth) + h * length(gravity));
     cloth.points.resize(sheet.size());
     cloth.nearest.resize(sheet.size());
     for (std::size_t k = 0; k < sheet.size(); k++) cloth.points[k] = sheet.position(k);
@@ -89,12 +150,11 @@ void find_contacts(Cloth& cloth, double h, Vec3 gravity) {
         contact.point = near.point;
         contact.normal = near.normal;
         contact.gap = near.distance - thickness;
-        contact.friction =
-            square_root(cloth.def.friction * cloth.nearby.material(shape).friction);
-        contact.pressed =
-            contact.gap < 0.1 * thickness && was_pressed(cloth, k, near.shape);
+        contact.friction = square_root(cloth.def.friction * cloth.nearby.material(shape).friction);
+        contact.pressed = contact.gap < 0.1 * thickness && was_pressed(cloth, k, near.shape);
         cloth.contacts.push_back(contact);
     }
+    find_edge_contacts(cloth, margin);
 }
 
 void press_contacts(Cloth& cloth, double h) {
@@ -178,10 +238,42 @@ void push_apart(Cloth& cloth, VertexContact& contact, double h) {
     sheet.set_moved(contact.vertex, moved);
 }
 
+void push_apart(Cloth& cloth, const EdgeContact& contact, double h) {
+    Sheet& sheet = cloth.sheet;
+    CarriedBody& body = cloth.bodies[contact.body];
+    const Vec3 arm = contact.point - body.center, n = contact.normal;
+    const double wa = 1 - contact.fraction, wb = contact.fraction;
+    const double own_a = sheet.inverse_mass(contact.a), own_b = sheet.inverse_mass(contact.b);
+    const double own = own_a * wa * wa + own_b * wb * wb;
+    if (own == 0 && !is_pushed(body)) return;
+    const auto relative = [&] {
+        return sheet.moved(contact.a) * wa + sheet.moved(contact.b) * wb - travel_of(body, arm, h);
+    };
+    const auto apply = [&](Vec3 impulse) {
+        sheet.set_moved(contact.a, sheet.moved(contact.a) + impulse * (own_a * wa * h));
+        sheet.set_moved(contact.b, sheet.moved(contact.b) + impulse * (own_b * wb * h));
+        push(body, -impulse, arm);
+    };
+    const double overlap = -(contact.gap + dot(n, relative()));
+    if (overlap <= 0) return;
+    const double impulse = overlap / ((own + response_along(body, arm, n)) * h);
+    apply(n * impulse);
+    const Vec3 slip = relative() - n * dot(n, relative());
+    const double size = length(slip);
+    if (size < 1e-12) return;
+    const Vec3 direction = slip * (1 / size);
+    const double stop = size / ((own + response_along(body, arm, direction)) * h);
+    apply(direction * -minimum(stop, contact.friction * impulse));
+}
+
 }  // namespace
 
 void resolve_contacts(Cloth& cloth, double h) {
     share_impulses(cloth, h);
+    for (const EdgeContact& contact : cloth.edge_contacts) {
+        push_apart(cloth, contact, h);
+        touch(cloth, cloth.bodies[contact.body]);
+    }
     cloth.pressed.clear();
     for (VertexContact& contact : cloth.contacts) {
         push_apart(cloth, contact, h);

@@ -40,7 +40,7 @@ struct CarriedBody {
     physics::Transform origin = {};  // of the body relative to its centre
     physics::BodyResponse response = {};
     physics::Vec3 impulse = {}, angular_impulse = {};  // of the cloth in this sub-step
-    std::uint32_t attached = 0, pressed = 0;  // vertices that share its mass
+    std::uint32_t attached = 0, pressed = 0;           // vertices that share its mass
 };
 
 // A vertex near a shape in a part of a sub-step.
@@ -49,10 +49,19 @@ struct VertexContact {
     physics::Vec3 point = {}, normal = {};  // on the shape, at the start of the part; out of it
     double gap = 0;                         // m
     double friction = 0;
-    double impulse = 0;    // N s, along the normal on the vertex
-    bool pressed = false;  // solved together with the body
-    double common = 0;     // m, motion along the normal of the vertex with its share of the body
+    double impulse = 0;       // N s, along the normal on the vertex
+    bool pressed = false;     // solved together with the body
+    double common = 0;        // m, motion along the normal of the vertex with its share of the body
     double inverse_mass = 0;  // 1/kg, of both
+};
+
+// An edge near a shape in a part of a sub-step.
+struct EdgeContact {
+    std::uint32_t a = 0, b = 0, body = 0;
+    double fraction = 0;  // from a to b
+    physics::Vec3 point = {}, normal = {};
+    double gap = 0;  // m
+    double friction = 0;
 };
 
 struct Cloth {
@@ -61,9 +70,9 @@ struct Cloth {
     Sheet sheet;
     std::vector<ClothAttachment> attachments;  // sorted by vertex
     bool awake = true;
-    double rest_time = 0;               // s
-    std::vector<Pressed> pressed;       // sorted by vertex
-    std::vector<TouchedBody> touched;   // sorted by body
+    double rest_time = 0;              // s
+    std::vector<Pressed> pressed;      // sorted by vertex
+    std::vector<TouchedBody> touched;  // sorted by body
     IslandTies ties;
 
     // Data of the current step. Not state.
@@ -75,6 +84,8 @@ struct Cloth {
     std::vector<physics::Vec3> points;
     std::vector<std::optional<physics::ClosestPoint>> nearest;
     std::vector<VertexContact> contacts;
+    std::vector<EdgeContact> edge_contacts;
+    std::vector<physics::CapsuleContact> found;
     std::vector<physics::Vec3> own_moved, common_moved;  // per attachment
     std::vector<std::uint32_t> overloaded;               // threads above the breaking load
     double overload = 0;                                 // N/m, of the first

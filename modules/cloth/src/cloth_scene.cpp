@@ -84,8 +84,7 @@ Status Cloths::configure(World& world, const ModuleSettings& settings) {
     ClothDef def;
     std::vector<ClothAttachment> attachments;
     bool hang = false;
-    if (Status read = ClothSettings(settings).read(def, attachments, hang); !read.ok())
-        return read;
+    if (Status read = ClothSettings(settings).read(def, attachments, hang); !read.ok()) return read;
     const Result<ClothKey> key = add(world, def);
     if (!key.ok()) return key.error();
     Status done;

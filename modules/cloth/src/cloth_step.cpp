@@ -43,6 +43,33 @@ void drop_lost_bodies(const World& world, Cloth& cloth) {
                   [&](const TouchedBody& touched) { return !world.contains(touched.body); });
 }
 
+// Bodies that may reach the cloth in this step join its group before they touch it: otherwise they
+// would pass it in their own motion. Returns whether one is new.
+bool expect_bodies(Cloth& cloth, double dt, Vec3 gravity) {
+    const Sheet& sheet = cloth.sheet;
+    double reach = cloth.def.thickness + dt * greatest_speed(sheet);
+    bool any = false;
+    double longest = 0;
+    for (const SheetEdge& edge : sheet.topology().edges)
+        longest = maximum(longest, edge.rest_length);
+    reach += longest;
+    for (const NearbyShapes::Body& body : cloth.nearby.bodies()) {
+        if (body.type != BodyType::dynamic || !body.awake || is_attached_to(cloth, body.id))
+            continue;
+        const Vec3 path = (body.linear_velocity + gravity * dt) * dt;
+        const double path2 = length_squared(path);
+        for (std::size_t k = 0; k < sheet.size(); k++) {
+            const Vec3 to = sheet.position(k) - body.start_center;
+            const double t = path2 > 0 ? clamp(dot(to, path) / path2, 0, 1) : 0;
+            const double most = body.radius + reach;
+            if (length_squared(to - path * t) > most * most) continue;
+            if (touch(cloth, {.id = body.id, .type = body.type})) any = true;
+            break;
+        }
+    }
+    return any;
+}
+
 // Something that moves near a sleeping cloth, or carries it, wakes it.
 bool is_disturbed(const World& world, const Cloth& cloth) {
     for (const ClothAttachment& attachment : cloth.attachments)
@@ -102,8 +129,8 @@ private:
                 if (is_pushed(body)) {
                     const double others = response_bound(body, arm) * body.attached;
                     inverse_mass = own * others / (own + others);
-                    moved = drift + (travel * own + cloth_.own_moved[k] * others) *
-                                        (1 / (own + others));
+                    moved = drift +
+                            (travel * own + cloth_.own_moved[k] * others) * (1 / (own + others));
                 }
             }
             sheet.set_inverse_mass(v, inverse_mass);
@@ -171,8 +198,8 @@ void begin_step(World& world, Cloth& cloth, double dt) {
     std::vector<FieldDef> fields;
     for (const FieldId id : world.fields())
         if (const Result<FieldDef> field = world.field(id); field.ok()) fields.push_back(*field);
-    const bool blown = blow(cloth.sheet, fields, cloth.def.drag, cloth.def.mass_per_area,
-                            world.time(), dt);
+    const bool blown =
+        blow(cloth.sheet, fields, cloth.def.drag, cloth.def.mass_per_area, world.time(), dt);
     if (!cloth.awake && blown) {
         const std::vector<float>& a = cloth.sheet.accelerations();
         const auto strong = [](float x) { return absolute(double{x}) > 0.5; };
@@ -182,7 +209,8 @@ void begin_step(World& world, Cloth& cloth, double dt) {
     cloth.sheet.rebase();
     std::erase_if(cloth.touched,
                   [](TouchedBody& body) { return body.steps_since++ >= touch_memory; });
-    if (speed > rest_speed || cloth.rest_time == 0) tie_bodies(world, cloth);
+    const bool is_new = expect_bodies(cloth, dt, world.gravity());
+    if (is_new || cloth.rest_time == 0) tie_bodies(world, cloth);
     find_bodies(world, cloth);
 }
 
@@ -208,7 +236,8 @@ void end_step(World& world, Cloth& cloth, double dt) {
         static_cast<void>(world.apply_impulse(body.id, body.impulse, state->center));
         static_cast<void>(world.apply_angular_impulse(body.id, body.angular_impulse));
     }
-    const bool rests = bodies_rest && greatest_speed(cloth.sheet) <= rest_speed;
+    const bool rests = bodies_rest && mean_speed(cloth.sheet) <= rest_speed &&
+                       greatest_speed(cloth.sheet) <= 5 * rest_speed;
     cloth.rest_time = rests ? cloth.rest_time + dt : 0;
     if (cloth.rest_time < time_to_sleep) return;
     const auto sleeps = [&](BodyId id) {

@@ -35,8 +35,7 @@ void add_pressure(Sheet& sheet, Vec3 wind, double factor, double mass_per_area, 
         const double across = dot(wind - mean, n);
         // 1/s, of a free face
         const double rate = factor * absolute(across) / mass_per_area;
-        const double force =
-            0.5 * size * factor * absolute(across) * across / (1 + rate * dt) / 3;
+        const double force = 0.5 * size * factor * absolute(across) * across / (1 + rate * dt) / 3;
         for (const std::uint32_t v : t)
             for (int axis = 0; axis < 3; axis++)
                 a[3 * v + static_cast<std::size_t>(axis)] +=

@@ -111,9 +111,8 @@ Result<ClothKey> Cloths::add(World&, const ClothDef& def) {
     if (cloths_.size() >= cloths_max)
         return Error{ErrorCode::resource_exhausted,
                      "there are " + std::to_string(cloths_max) + " cloths already"};
-    const std::size_t vertices = def.triangles.empty()
-                                     ? std::size_t{def.grid.rows} * def.grid.columns
-                                     : def.vertices.size();
+    const std::size_t vertices =
+        def.triangles.empty() ? std::size_t{def.grid.rows} * def.grid.columns : def.vertices.size();
     if (vertex_count() + vertices > vertices_max)
         return Error{ErrorCode::resource_exhausted,
                      "all cloths would have more than " + std::to_string(vertices_max) +
@@ -146,9 +145,9 @@ Status Cloths::attach(World& world, ClothKey key, const ClothAttachment& attachm
         *at = attachment;
     } else {
         if (cloth->attachments.size() >= attachments_max)
-            return Error{ErrorCode::resource_exhausted, "the cloth has " +
-                                                            std::to_string(attachments_max) +
-                                                            " attachments already"};
+            return Error{
+                ErrorCode::resource_exhausted,
+                "the cloth has " + std::to_string(attachments_max) + " attachments already"};
         cloth->attachments.insert(at, attachment);
     }
     cloth_detail::wake(*cloth);
@@ -158,10 +157,9 @@ Status Cloths::attach(World& world, ClothKey key, const ClothAttachment& attachm
 Status Cloths::detach(World&, ClothKey key, std::uint32_t vertex) {
     Cloth* cloth = find(key);
     if (cloth == nullptr) return unknown(key);
-    const auto removed =
-        std::erase_if(cloth->attachments, [&](const ClothAttachment& attachment) {
-            return attachment.vertex == vertex;
-        });
+    const auto removed = std::erase_if(cloth->attachments, [&](const ClothAttachment& attachment) {
+        return attachment.vertex == vertex;
+    });
     if (removed == 0)
         return Error{ErrorCode::not_found, "vertex " + std::to_string(vertex) + " is not attached"};
     cloth_detail::wake(*cloth);
@@ -204,9 +202,8 @@ Status Cloths::apply_impulse(World&, ClothKey key, std::uint32_t vertex, Vec3 im
 // ---- the step ----
 
 StepHooks Cloths::hooks() const {
-    const bool owned = std::ranges::any_of(cloths_, [](const auto& cloth) {
-        return cloth->awake && !cloth->ties.bodies().empty();
-    });
+    const bool owned = std::ranges::any_of(
+        cloths_, [](const auto& cloth) { return cloth->awake && !cloth->ties.bodies().empty(); });
     return {.substeps = owned, .pre_solve = false, .concurrent = true};
 }
 

@@ -125,8 +125,7 @@ void SelfContacts::find_edges(const Sheet& sheet) {
     mesh_edges_.clear();
     for (const auto& t : sheet.topology().triangles)
         for (std::size_t k = 0; k < 3; k++)
-            mesh_edges_.push_back(
-                {std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])});
+            mesh_edges_.push_back({std::min(t[k], t[(k + 1) % 3]), std::max(t[k], t[(k + 1) % 3])});
     std::sort(mesh_edges_.begin(), mesh_edges_.end());
     mesh_edges_.erase(std::unique(mesh_edges_.begin(), mesh_edges_.end()), mesh_edges_.end());
     triangle_count_ = sheet.topology().triangles.size();
@@ -202,8 +201,8 @@ void SelfContacts::search(const Sheet& sheet, double reach) {
                 l.z > high.z)
                 continue;
             const auto [s, t] = closest_on_segments(start_[a0], start_[a1], p, q);
-            const double distance = length(start_[a0] + (start_[a1] - start_[a0]) * s -
-                                           (p + (q - p) * t));
+            const double distance =
+                length(start_[a0] + (start_[a1] - start_[a0]) * s - (p + (q - p) * t));
             if (distance > reach) continue;
             edges_.push_back({a0, a1, b0, b1});
             for (const std::uint32_t k : {a0, a1, b0, b1}) limit(k, distance);
@@ -234,9 +233,8 @@ void separate(Sheet& sheet, std::span<const std::uint32_t> vertices,
     const double size = length(slip);
     if (size > 1e-12) impulse -= slip * (minimum(friction * push, size / response) / size);
     for (std::size_t k = 0; k < vertices.size(); k++)
-        sheet.set_moved(vertices[k],
-                        sheet.moved(vertices[k]) +
-                            impulse * (weights[k] * sheet.inverse_mass(vertices[k])));
+        sheet.set_moved(vertices[k], sheet.moved(vertices[k]) +
+                                         impulse * (weights[k] * sheet.inverse_mass(vertices[k])));
 }
 
 }  // namespace
@@ -255,13 +253,12 @@ void SelfContacts::push_apart(Sheet& sheet, double gap, double friction) {
         separate(sheet, vertices, weights, minimum(gap, 0.8 * length(rest)), friction);
     }
     for (const EdgeEdge& pair : edges_) {
-        const auto [s, t] =
-            closest_on_segments(at(pair.a0), at(pair.a1), at(pair.b0), at(pair.b1));
+        const auto [s, t] = closest_on_segments(at(pair.a0), at(pair.a1), at(pair.b0), at(pair.b1));
         const std::uint32_t vertices[] = {pair.a0, pair.a1, pair.b0, pair.b1};
         const double weights[] = {1 - s, s, t - 1, -t};
         const auto& r = sheet.topology().rest;
-        const Vec3 rest = r[pair.a0] * (1 - s) + r[pair.a1] * s - r[pair.b0] * (1 - t) -
-                          r[pair.b1] * t;
+        const Vec3 rest =
+            r[pair.a0] * (1 - s) + r[pair.a1] * s - r[pair.b0] * (1 - t) - r[pair.b1] * t;
         separate(sheet, vertices, weights, minimum(gap, 0.8 * length(rest)), friction);
     }
 }

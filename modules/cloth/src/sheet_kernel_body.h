@@ -117,8 +117,7 @@ float solve_chains_of(const SheetArrays& sheet, float h) {
         }
         const WideNode first = load_nodes(sheet.nodes, nodes);
         store_moved(sheet.nodes, nodes,
-                    first.moved +
-                        respond<pressed>(sheet, nodes, first, pull_after));
+                    first.moved + respond<pressed>(sheet, nodes, first, pull_after));
     }
     float result = 0;
     for (int k = 0; k < 8; k++)

@@ -1,17 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
 // Cloth: flags, curtains, sails, nets and clothes. A cloth is solved thread by thread in each
-// sub-step, so it does not stretch more than its stiffness says, no matter how many rows it has, and
-// bodies receive equal and opposite impulses.
+// sub-step, so it does not stretch more than its stiffness says, no matter how many rows it has,
+// and bodies receive equal and opposite impulses.
 //
 //     auto cloths = std::make_unique<Cloths>();
 //     const ClothKey flag = cloths->add(world, {.grid = {.rows = 20, .columns = 30}}).value();
 //     cloths->attach(world, flag, {.vertex = 0, .point = {0, 5, 0}}).expect();
 //     world.add_module(std::move(cloths)).expect();
 //
-// A cloth moves in the sub-steps of the group of its bodies. A cloth without dynamic bodies moves at
-// the start of the step. It falls asleep with its bodies. Winds of the world (force_fields.h) that
-// contain the centre of the cloth push its faces; other force fields do not act on cloth.
+// A cloth moves in the sub-steps of the group of its bodies. A cloth without dynamic bodies moves
+// at the start of the step. It falls asleep with its bodies. Winds of the world (force_fields.h)
+// that contain the centre of the cloth push its faces; other force fields do not act on cloth.
 #pragma once
 
 #include <array>
@@ -92,8 +92,8 @@ public:
 
     /// Publishes two channels every points_divisor steps.
     ///
-    /// "cloth", of the form points: the positions of the vertices in mm, cloth by cloth; cloths that
-    /// exceed published_max together are left out.
+    /// "cloth", of the form points: the positions of the vertices in mm, cloth by cloth; cloths
+    /// that exceed published_max together are left out.
     ///
     /// "cloth.sheets": per published cloth: key, number of vertices, rows and columns (0 for a
     /// mesh), and color.

@@ -28,13 +28,10 @@ Status check_number(const std::string& name, double value, double low, double hi
                    " and " + text(high));
 }
 
-Status check_vector(const std::string& name, Vec3 value) {
+Status check_vector(const std::string& name, Vec3 value, double most = coordinate_max) {
     const char* axes[] = {".x", ".y", ".z"};
     for (int axis = 0; axis < 3; axis++)
-        if (Status s =
-                check_number(name + axes[axis], value[axis], -coordinate_max, coordinate_max);
-            !s.ok())
-            return s;
+        if (Status s = check_number(name + axes[axis], value[axis], -most, most); !s.ok()) return s;
     return {};
 }
 
@@ -120,6 +117,9 @@ Status check(const ClothDef& def) {
         check_number("bending_stiffness", def.bending_stiffness, 0, 1e4),
         check_number("damping", def.damping, 0, 1e4),
         check_number("drag", def.drag, 0, 100),
+        check_vector("wind", def.wind, speed_max),
+        check_vector("gust", def.gust, speed_max),
+        check_number("gust_period", def.gust_period, 1e-3, 1e12),
         check_number("thickness", def.thickness, 1e-4, 1),
         check_number("friction", def.friction, 0, 10),
         check_number("breaking_load", def.breaking_load, 0, 1e12),

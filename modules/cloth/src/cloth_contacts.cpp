@@ -53,6 +53,12 @@ double greatest_speed(const Sheet& sheet) {
     return square_root(most);
 }
 
+double longest_edge(const Sheet& sheet) {
+    double most = 0;
+    for (const SheetEdge& edge : sheet.topology().edges) most = maximum(most, edge.rest_length);
+    return most;
+}
+
 double mean_speed(const Sheet& sheet) {
     double sum = 0;
     for (std::size_t k = 0; k < sheet.size(); k++) sum += length_squared(sheet.velocity(k));
@@ -83,9 +89,7 @@ bool touches_edges(const CarriedBody& body, double radius, double longest) {
 void find_edge_contacts(Cloth& cloth, double margin) {
     cloth.edge_contacts.clear();
     const Sheet& sheet = cloth.sheet;
-    double longest = 0;
-    for (const SheetEdge& edge : sheet.topology().edges)
-        longest = maximum(longest, edge.rest_length);
+    const double longest = longest_edge(sheet);
     std::vector<bool> small(cloth.nearby.bodies().size());
     bool any = false;
     for (std::size_t k = 0; k < small.size(); k++) {

@@ -11,6 +11,7 @@
 namespace jostle::modules::cloth_detail {
 
 double greatest_speed(const Sheet& sheet);
+double longest_edge(const Sheet& sheet);
 double mean_speed(const Sheet& sheet);  // root mean square
 // Moves the shapes of `nearby` to their bodies.
 void place_shapes(Cloth& cloth);

@@ -37,6 +37,9 @@ public:
         reader_.number("bending_stiffness", def.bending_stiffness, 0, 1e4);
         reader_.number("damping", def.damping, 0, 1e4);
         reader_.number("drag", def.drag, 0, 100);
+        vector("wind", def.wind, cloth_detail::speed_max);
+        vector("gust", def.gust, cloth_detail::speed_max);
+        reader_.number("gust_period", def.gust_period, 1e-3, 1e12);
         reader_.number("thickness", def.thickness, 1e-4, 1);
         reader_.number("friction", def.friction, 0, 10);
         reader_.number("breaking_load", def.breaking_load, 0, 1e12);
@@ -65,10 +68,9 @@ private:
         value = static_cast<std::uint32_t>(number);
     }
     // A vector replaces the default as a whole: absent components are 0.
-    void vector(const std::string& name, Vec3& value) {
+    void vector(const std::string& name, Vec3& value, double most = cloth_detail::coordinate_max) {
         const auto is_part = [&](const auto& entry) { return entry.first.starts_with(name + "_"); };
         if (std::ranges::any_of(settings_.numbers, is_part)) value = {};
-        const double most = cloth_detail::coordinate_max;
         reader_.number(name + "_x", value.x, -most, most);
         reader_.number(name + "_y", value.y, -most, most);
         reader_.number(name + "_z", value.z, -most, most);

@@ -17,7 +17,7 @@ using namespace cloth_detail;
 namespace {
 
 // Positions and velocities beyond these are not reached by cloth that is checked, m and m/s.
-constexpr double position_max = 1e9, speed_max = 1e9;
+constexpr double position_max = 1e9, velocity_max = 1e9;
 
 bool is_within(Vec3 v, double most) {
     const Vec3 size = abs(v);
@@ -51,6 +51,9 @@ void visit_def(StateVisitor& v, ClothDef& def) {
     v.field("bending_stiffness", def.bending_stiffness);
     v.field("damping", def.damping);
     v.field("drag", def.drag);
+    v.field("wind", def.wind);
+    v.field("gust", def.gust);
+    v.field("gust_period", def.gust_period);
     v.field("thickness", def.thickness);
     v.field("friction", def.friction);
     v.field("breaking_load", def.breaking_load);
@@ -87,7 +90,7 @@ void visit_nodes(StateVisitor& v, Sheet& sheet) {
     const auto bad = [](double most) { return [most](Vec3 x) { return !is_within(x, most); }; };
     if (std::ranges::any_of(positions, bad(position_max)))
         return v.fail("positions", "are out of range");
-    if (std::ranges::any_of(velocities, bad(speed_max)))
+    if (std::ranges::any_of(velocities, bad(velocity_max)))
         return v.fail("velocities", "are out of range");
     if (!(rate >= 0 && rate < 1e30f)) return v.fail("transverse_rate", "is out of range");
     for (std::size_t k = 0; k < sheet.size(); k++) {

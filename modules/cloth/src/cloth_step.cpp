@@ -49,10 +49,7 @@ bool expect_bodies(Cloth& cloth, double dt, Vec3 gravity) {
     const Sheet& sheet = cloth.sheet;
     double reach = cloth.def.thickness + dt * greatest_speed(sheet);
     bool any = false;
-    double longest = 0;
-    for (const SheetEdge& edge : sheet.topology().edges)
-        longest = maximum(longest, edge.rest_length);
-    reach += longest;
+    reach += longest_edge(sheet);
     for (const NearbyShapes::Body& body : cloth.nearby.bodies()) {
         if (body.type != BodyType::dynamic || !body.awake || is_attached_to(cloth, body.id))
             continue;
@@ -83,14 +80,15 @@ bool is_disturbed(const World& world, const Cloth& cloth) {
 
 class Part {
 public:
-    Part(Cloth& cloth, Vec3 gravity, double h) : cloth_(cloth), gravity_(gravity), h_(h) {}
+    Part(Cloth& cloth, Vec3 gravity, double h, int bends)
+        : cloth_(cloth), gravity_(gravity), h_(h), bends_(bends) {}
 
     void run() {
         place_shapes(cloth_);
         find_contacts(cloth_, h_, gravity_);
         cloth_.sheet.predict(h_, gravity_);
         hold_attachments();
-        cloth_.sheet.solve_bends(h_);
+        cloth_.sheet.solve_bends(h_, bends_);
         press_contacts(cloth_, h_);
         cloth_.sheet.solve_threads(h_);
         note_overloads();
@@ -175,6 +173,7 @@ private:
     Cloth& cloth_;
     const Vec3 gravity_;
     const double h_;
+    const int bends_;  // parts that bending stands for
 };
 
 }  // namespace
@@ -198,6 +197,10 @@ void begin_step(World& world, Cloth& cloth, double dt) {
     std::vector<FieldDef> fields;
     for (const FieldId id : world.fields())
         if (const Result<FieldDef> field = world.field(id); field.ok()) fields.push_back(*field);
+    if (cloth.def.wind != Vec3{} || cloth.def.gust != Vec3{})
+        fields.push_back({.force = UniformWind{.velocity = cloth.def.wind,
+                                               .gust = cloth.def.gust,
+                                               .gust_period = cloth.def.gust_period}});
     const bool blown =
         blow(cloth.sheet, fields, cloth.def.drag, cloth.def.mass_per_area, world.time(), dt);
     if (!cloth.awake && blown) {
@@ -214,11 +217,28 @@ void begin_step(World& world, Cloth& cloth, double dt) {
     find_bodies(world, cloth);
 }
 
+// Parts of a sub-step in which no body that may touch the cloth moves by more than half an edge.
+static int parts_for_bodies(const Cloth& cloth, double h, int least) {
+    constexpr int most = 64;
+    double fastest = 0;
+    for (const CarriedBody& body : cloth.bodies)
+        if (std::ranges::binary_search(cloth.touched, body.id, {}, &TouchedBody::body))
+            fastest = maximum(fastest, length_squared(body.velocity));
+    const double needed = h * square_root(fastest) / (0.5 * longest_edge(cloth.sheet));
+    int parts = least;
+    while (parts < needed && parts < most) parts++;
+    return parts;
+}
+
 void advance(Cloth& cloth, const ClothSubstep& substep, int least) {
     ASSERT(least >= 1 && substep.h > 0);
-    const int parts = cloth.sheet.stable_parts(substep.h, least);
     read_group(cloth, substep.group);
-    for (int n = 0; n < parts; n++) Part(cloth, substep.gravity, substep.h / parts).run();
+    const int parts =
+        cloth.sheet.stable_parts(substep.h, parts_for_bodies(cloth, substep.h, least));
+    for (int n = 0; n < parts; n++) {
+        const int bends = n % 2 == 1 ? 0 : n + 1 < parts ? 2 : 1;
+        Part(cloth, substep.gravity, substep.h / parts, bends).run();
+    }
     write_group(cloth, substep.group);
     cloth.substeps_done++;
 }

@@ -38,7 +38,7 @@ void add_pressure(Sheet& sheet, Vec3 wind, double factor, double mass_per_area, 
         const double force = 0.5 * size * factor * absolute(across) * across / (1 + rate * dt) / 3;
         for (const std::uint32_t v : t)
             for (int axis = 0; axis < 3; axis++)
-                a[3 * v + static_cast<std::size_t>(axis)] +=
+                a[4 * v + static_cast<std::size_t>(axis)] +=
                     static_cast<float>(n[axis] * force * sheet.free_inverse_mass(v));
     }
 }
@@ -53,7 +53,7 @@ bool blow(Sheet& sheet, std::span<const FieldDef> fields, double drag, double ma
         if (wind == nullptr || drag == 0) continue;
         const Vec3 center = center_of(sheet);
         if (field.region && !overlap(*field.region, Aabb{center, center})) continue;
-        if (!acts) sheet.accelerations().assign(3 * sheet.size(), 0);
+        if (!acts) sheet.accelerations().assign(4 * sheet.size(), 0);
         acts = true;
         add_pressure(sheet, velocity_of(*wind, time + 0.5 * dt), 0.5 * wind->density * drag,
                      mass_per_area, dt);

@@ -87,13 +87,16 @@ public:
     // A sub-step: predict() sets the displacements by inertia and acceleration, solve_bends()
     // corrects them by cells and hinges, solve_threads() by threads, finish() moves the vertices.
     void predict(double h, physics::Vec3 acceleration);
-    void solve_bends(double h);
+    // Hinges move slowly: one solve of them may stand for several sub-steps, and the others skip
+    // them (0).
+    void solve_bends(double h, int substeps = 1);
     void solve_threads(double h);
     // 4 floats per vertex for solve_threads() (SheetArrays::pressed); empty: none.
     std::vector<float>& pressed() { return pressed_; }
     void finish(double h, physics::Vec3 acceleration, double damping);
 
-    // Acceleration of each vertex besides gravity, m/s^2; empty: none.
+    // Acceleration of each vertex besides gravity, 4 floats per vertex of which the last is 0,
+    // m/s^2; empty: none.
     std::vector<float>& accelerations() { return accelerations_; }
 
     // Parts of a sub-step of h seconds so that transverse waves of the tension are stable.
@@ -121,7 +124,7 @@ private:
     SheetTopology topology_;
     physics::Vec3 root_ = {};
     std::vector<SheetNode> nodes_;   // and one that pads the arrays
-    std::vector<float> velocities_;  // 3 per vertex, m/s
+    std::vector<float> velocities_;  // 4 per vertex, the last is 0, m/s
     std::vector<float> accelerations_, pressed_;
     std::vector<std::uint8_t> torn_;  // per edge
     float transverse_rate_ = 0;

@@ -27,7 +27,7 @@ struct SheetArrays {
     const float* rest_lengths = nullptr;        // m
     const float* stretch_compliance = nullptr;  // m/N
     float* tensions = nullptr;                  // N, of the last sub-step
-    float* scratch = nullptr;                   // 40 floats per link of the longest chain
+    float* scratch = nullptr;                   // 72 floats per link of the longest chain
     // Per node 4 floats, or null: q and the pull of the threads along q in the sub-step, kg^1/2 m.
     // The inverse mass of a node along q is less by q^2, because it presses against a body.
     float* pressed = nullptr;

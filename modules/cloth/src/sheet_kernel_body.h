@@ -37,9 +37,8 @@ Wide3 load_pressed(const SheetArrays& sheet, const std::uint32_t* index) {
 
 // The motion of nodes by a pull. Adds the pull along q to the fourth number of pressed nodes.
 template <bool pressed>
-Wide3 respond(const SheetArrays& sheet, const std::uint32_t* index, const WideNode& node,
-              Wide3 pull) {
-    const Wide3 motion = pull * node.inverse_mass;
+Wide3 respond(const SheetArrays& sheet, const std::uint32_t* index, Wide inverse_mass, Wide3 pull) {
+    const Wide3 motion = pull * inverse_mass;
     if constexpr (!pressed) return motion;
     const Wide3 q = load_pressed<pressed>(sheet, index);
     const Wide along = dot(q, pull);
@@ -57,7 +56,8 @@ float solve_chains_of(const SheetArrays& sheet, float h) {
         const float* rest = sheet.rest_lengths + 8 * std::size_t{chain.first};
         const float* compliance = sheet.stretch_compliance + 8 * std::size_t{chain.first};
         float* tension = sheet.tensions + 8 * std::size_t{chain.first};
-        // Per link: direction, coupling to the link before, inverse pivot, right-hand side.
+        // Per link: direction, coupling to the link before, right-hand side times the inverse
+        // pivot, and the displacement and inverse mass of its second node.
         WideNode a = load_nodes(sheet.nodes, nodes);
         Wide3 q = load_pressed<pressed>(sheet, nodes), before = {zero, zero, zero};
         Wide pivot = zero, right = zero;
@@ -84,12 +84,16 @@ float solve_chains_of(const SheetArrays& sheet, float h) {
             const Wide part = coupling * pivot;
             right = length - load(rest + 8 * k) - part * right;
             pivot = one / (diagonal - part * coupling);
-            float* s = sheet.scratch + 40 * std::size_t{k};
+            float* s = sheet.scratch + 72 * std::size_t{k};
             store(s, n.x);
             store(s + 8, n.y);
             store(s + 16, n.z);
             store(s + 24, coupling);
             store(s + 32, right * pivot);
+            store(s + 40, b.moved.x);
+            store(s + 48, b.moved.y);
+            store(s + 56, b.moved.z);
+            store(s + 64, b.inverse_mass);
             store(tension + 8 * k, pivot);
             before = n;
             q = next_q;
@@ -99,17 +103,18 @@ float solve_chains_of(const SheetArrays& sheet, float h) {
         Wide after = zero, next_coupling = zero;
         Wide3 pull_after = {zero, zero, zero};
         for (std::uint32_t k = chain.links; k-- > 0;) {
-            const float* s = sheet.scratch + 40 * std::size_t{k};
+            const float* s = sheet.scratch + 72 * std::size_t{k};
             const Wide3 n = {load(s), load(s + 8), load(s + 16)};
             const Wide multiplier = load(s + 32) - next_coupling * after * load(tension + 8 * k);
             const Wide3 pull = n * multiplier;
             const std::uint32_t* to = nodes + 8 * (k + 1);
-            const WideNode b = load_nodes(sheet.nodes, to);
+            const Wide3 moved = {load(s + 40), load(s + 48), load(s + 56)};
+            const Wide inverse_mass = load(s + 64);
             store_moved(sheet.nodes, to,
-                        b.moved + respond<pressed>(sheet, to, b, pull_after - pull));
+                        moved + respond<pressed>(sheet, to, inverse_mass, pull_after - pull));
             const Wide force = multiplier * per_h2;
             store(tension + 8 * k, force);
-            const Wide rate = force * b.inverse_mass / larger(load(rest + 8 * k), tiny);
+            const Wide rate = force * inverse_mass / larger(load(rest + 8 * k), tiny);
             most = larger(rate, most);
             pull_after = pull;
             after = multiplier;
@@ -117,7 +122,7 @@ float solve_chains_of(const SheetArrays& sheet, float h) {
         }
         const WideNode first = load_nodes(sheet.nodes, nodes);
         store_moved(sheet.nodes, nodes,
-                    first.moved + respond<pressed>(sheet, nodes, first, pull_after));
+                    first.moved + respond<pressed>(sheet, nodes, first.inverse_mass, pull_after));
     }
     float result = 0;
     for (int k = 0; k < 8; k++)

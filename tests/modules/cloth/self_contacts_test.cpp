@@ -65,12 +65,12 @@ TEST(SelfContacts, keep_a_crumpled_sheet_free_of_crossings) {
             self.begin_step();
             const int parts = sheet.stable_parts(1.0 / 60, 8);
             const double h = 1.0 / 60 / parts;
-            sheet.accelerations().assign(3 * sheet.size(), 0);
+            sheet.accelerations().assign(4 * sheet.size(), 0);
             // Pulled together, shaken apart, and again.
             const double pull = n % 100 < 80 ? -60 : 30;
             for (std::size_t k = 0; k < sheet.size(); k++)
                 for (int axis = 0; axis < 3; axis++)
-                    sheet.accelerations()[3 * k + static_cast<std::size_t>(axis)] =
+                    sheet.accelerations()[4 * k + static_cast<std::size_t>(axis)] =
                         static_cast<float>(pull * (sheet.position(k) - Vec3{0.5, -0.1, 0.5})[axis]);
             for (int part = 0; part < parts; part++) {
                 sheet.predict(h, {0, -2, 0});

@@ -48,8 +48,13 @@ struct ClothDef {
     double shear_stiffness = 200;     ///< N/m, 0 to 1e7; not used by meshes, whose edges resist it
     /// Moment per width and curvature, N m, 0 to 1e4: cotton has about 1e-5. Bends about flat.
     double bending_stiffness = 1e-5;
-    double damping = 0.1;        ///< 1/s, 0 to 1e4: decay of velocities, as by air at rest
-    double drag = 1;             ///< coefficient of the pressure of wind on its faces, 0 to 100
+    double damping = 0.1;  ///< 1/s, 0 to 1e4: decay of velocities, as by air at rest
+    double drag = 1;       ///< coefficient of the pressure of wind on its faces, 0 to 100
+    /// Wind on this cloth besides the winds of the world, in air of 1.2 kg/m^3: velocity, and gusts
+    /// that add `gust` times sin(2 pi t / gust_period). m/s, each component within 1e4; s, 1e-3 to
+    /// 1e12.
+    physics::Vec3 wind = {}, gust = {};
+    double gust_period = 1;
     double thickness = 0.005;    ///< m, distance from bodies and half that from cloth, 1e-4 to 1
     double friction = 0.5;       ///< 0 to 10, combined with that of shapes by the geometric mean
     double breaking_load = 0;    ///< N/m, tension per width at which threads break; 0: never

@@ -92,8 +92,8 @@ public:
 
     /// Publishes two channels every points_divisor steps.
     ///
-    /// "cloth", of the form points: the positions of the vertices in mm, cloth by cloth; cloths
-    /// that exceed published_max together are left out.
+    /// "cloth", of the form points: the positions of the vertices in mm, cloth by cloth. Skips
+    /// cloths that would exceed published_max.
     ///
     /// "cloth.sheets": per published cloth: key, number of vertices, rows and columns (0 for a
     /// mesh), and color.

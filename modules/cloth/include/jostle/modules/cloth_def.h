@@ -46,7 +46,7 @@ struct ClothDef {
     double mass_per_area = 0.2;       ///< kg/m^2, 1e-4 to 1e4
     double stretch_stiffness = 5000;  ///< N/m, tension per width and relative stretch, 1 to 1e7
     double shear_stiffness = 200;     ///< N/m, 0 to 1e7; not used by meshes, whose edges resist it
-    /// Moment per width and curvature, N m, 0 to 1e4: cotton has about 1e-5. Bends about flat.
+    /// Torque per width and curvature, N m, 0 to 1e4: cotton has about 1e-5. Bends about flat.
     double bending_stiffness = 1e-5;
     double damping = 0.1;  ///< 1/s, 0 to 1e4: decay of velocities, as by air at rest
     double drag = 1;       ///< coefficient of the pressure of wind on its faces, 0 to 100

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "jostle/modules/character.h"
+#include "jostle/modules/cloth.h"
 #include "jostle/modules/crowd.h"
 #include "jostle/modules/destruction.h"
 #include "jostle/modules/fields.h"
@@ -588,6 +589,61 @@ private:
     Ropes& ropes_;
 };
 
+// A square sheet of 1 m that hangs by its first row; the objects are its vertices. Closed form of
+// its last row: the elastic stretch under its own weight, rho g L^2 / 2 E.
+template <bool bends>
+class HangingSheet final : public ModuleScene {
+public:
+    explicit HangingSheet(int count) : cloths_(add<Cloths>(world_)) {
+        rows_ = static_cast<std::uint32_t>(std::lround(std::sqrt(count)));
+        const ClothDef def{
+            .grid = {.rows = rows_, .columns = rows_, .across = {1, 0, 0}, .down = {0, -1, 0}},
+            .bending_stiffness = bends ? 1e-5 : 0,
+            .damping = 0.5};
+        closed_form_ = def.mass_per_area * 9.81 / (2 * def.stretch_stiffness);
+        key_ = must(cloths_.add(world_, def));
+        const std::vector<Vec3> points = cloths_.positions(key_);
+        for (std::uint32_t c = 0; c < rows_; c++)
+            must(cloths_.attach(world_, key_, {.vertex = c, .point = points[c]}));
+    }
+    void step(int) override { must(world_.step(1.0 / 60)); }
+    std::optional<double> error() const override {
+        const std::vector<Vec3> points = cloths_.positions(key_);
+        double sum = 0;
+        for (std::size_t k = points.size() - rows_; k < points.size(); k++) {
+            const double off = points[k].y + 1 + closed_form_;
+            sum += off * off;
+        }
+        return std::sqrt(sum / rows_);
+    }
+
+private:
+    World world_;
+    Cloths& cloths_;
+    ClothKey key_;
+    std::uint32_t rows_ = 0;
+    double closed_form_ = 0;
+};
+
+// A sheet that falls over a ball; the objects are its vertices.
+class DrapedSheet final : public ModuleScene {
+public:
+    explicit DrapedSheet(int count) : cloths_(add<Cloths>(world_)) {
+        must(world_.create_body({.type = BodyType::static_body}, {.geometry = Sphere{0.4}}));
+        const auto rows = static_cast<std::uint32_t>(std::lround(std::sqrt(count)));
+        must(cloths_.add(world_, {.grid = {.rows = rows,
+                                           .columns = rows,
+                                           .origin = {-0.7, 0.5, -0.7},
+                                           .across = {1.4, 0, 0},
+                                           .down = {0, 0, 1.4}}}));
+    }
+    void step(int) override { must(world_.step(1.0 / 60)); }
+
+private:
+    World world_;
+    Cloths& cloths_;
+};
+
 template <class Scene>
 std::unique_ptr<ModuleScene> make(int count) {
     return std::make_unique<Scene>(count);
@@ -620,6 +676,9 @@ constexpr ModuleCase cases[] = {
     {"particles_smoke", 20000, make<EmittedParticles<true, false>>},
     {"particles_rain", 20000, make<EmittedParticles<false, false>>},
     {"particles_balls", 20000, make<EmittedParticles<false, true>>},
+    {"cloth_hangs", 10000, make<HangingSheet<true>>},
+    {"cloth_hangs_threads", 10000, make<HangingSheet<false>>},
+    {"cloth_drapes", 2500, make<DrapedSheet>},
     {"rope_loads", 10, make<RopeLoads>},
     {"rope_loads_joints", 10, make<JointedLoads>},
     {"rope_cantilevers", 20, make<RopeCantilevers>},

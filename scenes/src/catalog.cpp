@@ -75,6 +75,8 @@ constexpr CatalogItem catalog_items[] = {
     {{"rope_bridge",
       "A bridge of planks on two ropes over a canyon: walk across, drop sacks onto it."},
      rope_bridge},
+    {{"flag", "A flag and a banner in gusts of wind, and a sheet over a table."}, flag},
+    {{"curtain", "Drive through curtains of cloth strips, and into a net."}, curtain},
     {{"swings", "Three swings, a tyre, a climbing rope and a crane with a winch."}, swings},
     {{"ragdoll_stairs", "Twelve figures tip off a ramp and fall down the stairs; walk up to them."},
      ragdoll_stairs},

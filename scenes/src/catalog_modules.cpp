@@ -7,6 +7,7 @@
 #include "examples/hovercraft/hovercraft.h"
 #include "jostle/modules/boats.h"
 #include "jostle/modules/character.h"
+#include "jostle/modules/cloth.h"
 #include "jostle/modules/crowd.h"
 #include "jostle/modules/destruction.h"
 #include "jostle/modules/fields.h"
@@ -34,6 +35,7 @@ void register_catalog_modules() {
         register_once<examples::Hovercraft>("hovercraft");
         register_once<modules::Boats>("boat");
         register_once<modules::Characters>("character");
+        register_once<modules::Cloths>("cloth");
         register_once<modules::Crowd>("crowd");
         register_once<modules::Destruction>("destruction");
         register_once<modules::Fields>("fields");

@@ -69,6 +69,8 @@ SceneDescription stampede();
 SceneDescription stadium();
 SceneDescription rope_bridge();
 SceneDescription swings();
+SceneDescription flag();
+SceneDescription curtain();
 SceneDescription katamari();
 SceneDescription bench_pyramid_465();
 SceneDescription bench_pyramid_5050();

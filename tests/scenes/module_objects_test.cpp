@@ -11,6 +11,7 @@
 
 #include <memory>
 
+#include "jostle/modules/cloth.h"
 #include "jostle/modules/crowd.h"
 #include "jostle/modules/destruction.h"
 #include "jostle/modules/fields.h"
@@ -303,6 +304,40 @@ TEST(ModuleObjects, ropes_have_points_attachments_and_winches) {
     EXPECT_EQ(ropes->attachments(first)[1].node, 16u);
     EXPECT_EQ(ropes->rest_lengths(first)[0], 0.25);
     EXPECT_EQ(read_scene_json(write_scene_json(*scene))->modules[0].objects.size(), 2u);
+}
+
+TEST(ModuleObjects, cloth_has_a_grid_and_attachments) {
+    const auto scene = read_scene_json(with_modules(R"({"cloth": {"cloths": [
+      {"grid": {"rows": 4, "columns": 6, "origin": {"y": 9}, "across": {"x": 2}, "down": {"y": -1}},
+       "hang": true, "attachments": [{"vertex": 23, "body": "car"}]},
+      {}
+    ]}})"));
+    ASSERT_TRUE(scene.ok()) << scene.error().message;
+    const auto built = build_scene(*scene);
+    ASSERT_TRUE(built.ok()) << built.error().message;
+    const auto* cloths = dynamic_cast<const modules::Cloths*>(built->world.module("cloth"));
+    ASSERT_EQ(cloths->cloths().size(), 2u);
+    const modules::ClothKey first = cloths->cloths()[0];
+    EXPECT_EQ(cloths->positions(first).size(), 24u);
+    EXPECT_NEAR(cloths->positions(first)[23].x, 2, 1e-6);
+    EXPECT_NEAR(cloths->positions(first)[23].y, 8, 1e-6);
+    EXPECT_EQ(cloths->attachments(first).size(), 7u);
+    EXPECT_EQ(cloths->positions(cloths->cloths()[1]).size(), 400u);
+    EXPECT_EQ(read_scene_json(write_scene_json(*scene))->modules[0].objects.size(), 2u);
+}
+
+TEST(ModuleObjects, cloth_errors_name_line_and_field) {
+    const auto of = [&](const std::string& fields) {
+        return error_of(R"({"cloth": {"cloths": [{)" + fields + "}]}}");
+    };
+    EXPECT_THAT(of(R"("thickness": 0)"),
+                AllOf(HasSubstr("line "), HasSubstr("modules[0].cloth.cloths[0].thickness: 0")));
+    EXPECT_THAT(of(R"("grid": {"rows": 1})"), HasSubstr("modules[0].cloth.cloths[0].grid.rows: 1"));
+    EXPECT_THAT(of(R"("grid": {"across": {"y": 1}})"), HasSubstr("are parallel or zero"));
+    EXPECT_THAT(of(R"("attachments": [{"vertex": 0, "body": "cat"}])"),
+                HasSubstr("modules[0].cloth.cloths[0].attachments[0].body"));
+    EXPECT_THAT(of(R"("attachments": [{"vertex": 400}])"),
+                HasSubstr("cloths[0]: attachments[0].vertex: 400 is out of range"));
 }
 
 TEST(ModuleObjects, rope_errors_name_line_and_field) {

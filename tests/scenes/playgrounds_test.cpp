@@ -9,6 +9,7 @@
 #include <functional>
 #include <string>
 
+#include "jostle/modules/cloth.h"
 #include "jostle/modules/crowd.h"
 #include "jostle/modules/particles.h"
 #include "jostle/modules/rope.h"
@@ -248,6 +249,43 @@ TEST(Playgrounds, swings_swing_and_the_crane_lifts) {
     // Height of the seats: v = 3.5 m/s rises v^2 / 2 g = 0.62 m on ropes of 3.2 m.
     EXPECT_NEAR(most, 1.9, 0.15);
     EXPECT_NEAR(park.state("crate").center.y, 0.5 + 0.2 * 6, 0.05);
+}
+
+// ---- cloth ----
+
+const modules::Cloths& cloths_of(const Played& played) {
+    return dynamic_cast<const modules::Cloths&>(*played.built.world.module("cloth"));
+}
+
+TEST(Playgrounds, flag_waves_in_the_wind) {
+    Played yard("flag");
+    yard.run(4);
+    const modules::Cloths& cloths = cloths_of(yard);
+    const modules::ClothKey flag = cloths.cloths()[0];
+    double mean = 0, most = 0;
+    for (const Vec3 p : cloths.positions(flag))
+        mean += p.x / static_cast<double>(cloths.masses(flag).size());
+    for (const Vec3 v : cloths.velocities(flag)) most = std::max(most, length(v));
+    EXPECT_GT(mean, 0.6);
+    EXPECT_LT(most, 30);
+    // The sheet lies on the table.
+    double highest = 0;
+    for (const Vec3 p : cloths.positions(cloths.cloths()[2])) highest = std::max(highest, p.y);
+    EXPECT_NEAR(highest, 0.81, 0.03);
+}
+
+TEST(Playgrounds, car_drives_through_the_curtain) {
+    Played road("curtain");
+    road.run(1);
+    road.hold("vehicle", "car", sticks(0, 1));
+    double most = 0;
+    for (int n = 0; n < 40; n++) {
+        road.run(0.1);
+        for (const modules::ClothKey key : cloths_of(road).cloths())
+            for (const Vec3 v : cloths_of(road).velocities(key)) most = std::max(most, length(v));
+    }
+    EXPECT_LT(road.state("car").center.z, 0);  // the curtain hangs at 6 m
+    EXPECT_LT(most, 60);
 }
 
 // ---- crowds ----

@@ -304,14 +304,15 @@ TEST(SceneErrors, rejects_out_of_plane_values_in_planar_worlds) {
 
 TEST(SceneErrors, rejects_unknown_and_duplicate_modules) {
     test::register_turntable();
-    expect_refused(with_module("\n\"tag\": \"submarine\""),
-                   "line 6: modules[0].tag: is \"submarine\"; it must be one of "
-                   "boat, character, crowd, destruction, fields, hovercraft, katamari, particles, "
-                   "ragdoll, rope, turntable, vehicle");
+    expect_refused(
+        with_module("\n\"tag\": \"submarine\""),
+        "line 6: modules[0].tag: is \"submarine\"; it must be one of "
+        "boat, character, cloth, crowd, destruction, fields, hovercraft, katamari, particles, "
+        "ragdoll, rope, turntable, vehicle");
     expect_refused(
         with_module("\"settings\": {}"),
         "modules[0].tag: is \"\"; it must be one of boat, "
-        "character, crowd, destruction, fields, hovercraft, katamari, particles, ragdoll, "
+        "character, cloth, crowd, destruction, fields, hovercraft, katamari, particles, ragdoll, "
         "rope, turntable, vehicle");
     expect_refused(
         with_module("\"tag\": \"turntable\"},\n{\"tag\": \"turntable\""),
@@ -320,11 +321,12 @@ TEST(SceneErrors, rejects_unknown_and_duplicate_modules) {
     SceneDescription scene{.name = "a", .modules = {{.tag = "submarine"}}};
     const auto built = build_scene(scene);
     ASSERT_FALSE(built.ok());
-    EXPECT_EQ(built.error().message,
-              "modules[0] 'submarine': module \"submarine\" is not registered (registered: boat, "
-              "character, crowd, destruction, fields, hovercraft, katamari, particles, ragdoll, "
-              "rope, turntable, vehicle); "
-              "call register_module() first");
+    EXPECT_EQ(
+        built.error().message,
+        "modules[0] 'submarine': module \"submarine\" is not registered (registered: boat, "
+        "character, cloth, crowd, destruction, fields, hovercraft, katamari, particles, ragdoll, "
+        "rope, turntable, vehicle); "
+        "call register_module() first");
 }
 
 TEST(SceneErrors, rejects_invalid_module_settings_and_unknown_bodies) {

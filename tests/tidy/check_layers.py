@@ -17,7 +17,7 @@ PUBLIC = "physics/include"
 PHYSICS = ["physics/src/foundation", "physics/src/math", "physics/src/geometry", "physics/src/collision",
            "physics/src/constraint_graph", "physics/src/state"]
 MODULES = ["modules/core", "modules/fields", "modules/character", "modules/particles", "modules/ragdoll", "modules/vehicle",
-           "modules/destruction", "modules/crowd", "modules/rope"]
+           "modules/destruction", "modules/crowd", "modules/rope", "modules/cloth"]
 SERVER_LOW = ["server/util", "server/config", "server/metrics", "server/auth", "server/tls"]
 GENERATED = "generated"  # *.pb.h
 # Folder (the longest prefix wins) -> layers that it may include besides BASE.
@@ -47,6 +47,7 @@ LAYERS = {
     "modules/vehicle": [PUBLIC, "modules/core"],
     "modules/destruction": [PUBLIC, "modules/core"],
     "modules/rope": [PUBLIC, "modules/core"],
+    "modules/cloth": [PUBLIC, "modules/core"],
     "modules/crowd": [PUBLIC, "modules/core", "modules/character"],
     "proto/snapshot": [],
     "proto/grpc_status": [GENERATED],

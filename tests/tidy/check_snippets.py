@@ -28,7 +28,7 @@ FENCE = re.compile(r"^( *)```cpp(?: +([a-z]+))? *\n(.*?)^ *```", re.M | re.S)
 STANDARD = "#include <chrono>\n#include <cmath>\n#include <cstdio>\n#include <memory>\n#include <thread>\n"
 PHYSICS = STANDARD + "#include <jostle/physics/physics.h>\n"
 MODULES = PHYSICS + "".join(f"#include <jostle/modules/{name}.h>\n" for name in (
-    "boats", "character", "convex_decomposition", "cosmetic_particles", "crowd", "destruction", "explosion", "fields", "fracture_file", "fractured_shape",
+    "boats", "character", "cloth", "convex_decomposition", "cosmetic_particles", "crowd", "destruction", "explosion", "fields", "fracture_file", "fractured_shape",
     "island_coupling", "particles", "ragdoll", "ragdoll_gltf", "rope", "seed_patterns", "settings", "vehicle"))
 CLIENT = STANDARD + "".join(f"#include <jostle/client/{name}.h>\n" for name in (
     "client", "playback", "predictor", "query_client", "recording_writer", "security", "world_client"))

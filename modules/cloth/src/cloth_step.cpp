@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: MIT
+#include "modules/cloth/src/cloth_step.h"
+
+#include <algorithm>
+
+#include "jostle/base/check.h"
+#include "jostle/physics/scalar.h"
+#include "modules/cloth/src/cloth_bodies.h"
+#include "modules/cloth/src/cloth_contacts.h"
+#include "modules/cloth/src/cloth_wind.h"
+
+namespace jostle::modules::cloth_detail {
+
+using namespace physics;
+
+namespace {
+
+// A cloth and its bodies rest for this time before they sleep, as bodies do, s.
+constexpr double time_to_sleep = 0.5;
+// Steps after the last contact for which a body stays tied to a cloth.
+constexpr std::uint32_t touch_memory = 10;
+// A sleeping body wakes if an impulse of a cloth would move it faster than this, m/s.
+constexpr double wake_speed = 0.02;
+
+Aabb bounds_of(const Sheet& sheet, double margin) {
+    Aabb box{sheet.position(0), sheet.position(0)};
+    for (std::size_t k = 0; k < sheet.size(); k++) {
+        box.low = min(box.low, sheet.position(k));
+        box.high = max(box.high, sheet.position(k));
+    }
+    const Vec3 more{margin, margin, margin};
+    return {box.low - more, box.high + more};
+}
+
+// Destroyed bodies release the cloth.
+void drop_lost_bodies(const World& world, Cloth& cloth) {
+    const std::size_t before = cloth.attachments.size();
+    std::erase_if(cloth.attachments, [&](const ClothAttachment& attachment) {
+        return !is_null(attachment.body) && !world.contains(attachment.body);
+    });
+    if (cloth.attachments.size() != before) wake(cloth);
+    std::erase_if(cloth.touched,
+                  [&](const TouchedBody& touched) { return !world.contains(touched.body); });
+}
+
+// Bodies that may reach the cloth in this step join its group before they touch it: otherwise they
+// would pass it in their own motion. Returns whether one is new.
+bool expect_bodies(Cloth& cloth, double dt, Vec3 gravity) {
+    const Sheet& sheet = cloth.sheet;
+    double reach = cloth.def.thickness + dt * greatest_speed(sheet);
+    bool any = false;
+    reach += longest_edge(sheet);
+    for (const NearbyShapes::Body& body : cloth.nearby.bodies()) {
+        if (body.type != BodyType::dynamic || !body.awake || is_attached_to(cloth, body.id))
+            continue;
+        const Vec3 path = (body.linear_velocity + gravity * dt) * dt;
+        const double path2 = length_squared(path);
+        for (std::size_t k = 0; k < sheet.size(); k++) {
+            const Vec3 to = sheet.position(k) - body.start_center;
+            const double t = path2 > 0 ? clamp(dot(to, path) / path2, 0, 1) : 0;
+            const double most = body.radius + reach;
+            if (length_squared(to - path * t) > most * most) continue;
+            if (touch(cloth, {.id = body.id, .type = body.type})) any = true;
+            break;
+        }
+    }
+    return any;
+}
+
+// Something that moves near a sleeping cloth, or carries it, wakes it.
+bool is_disturbed(const World& world, const Cloth& cloth) {
+    for (const ClothAttachment& attachment : cloth.attachments)
+        if (!is_null(attachment.body) && is_moving(world, attachment.body)) return true;
+    return std::ranges::any_of(cloth.nearby.bodies(), [&](const NearbyShapes::Body& body) {
+        return body.type != BodyType::static_body && is_moving(world, body.id);
+    });
+}
+
+// ---- a part of a sub-step ----
+
+class Part {
+public:
+    Part(Cloth& cloth, Vec3 gravity, double h, int bends)
+        : cloth_(cloth), gravity_(gravity), h_(h), bends_(bends) {}
+
+    void run() {
+        place_shapes(cloth_);
+        find_contacts(cloth_, h_, gravity_);
+        cloth_.sheet.predict(h_, gravity_);
+        hold_attachments();
+        cloth_.sheet.solve_bends(h_, bends_);
+        press_contacts(cloth_, h_);
+        cloth_.sheet.solve_threads(h_);
+        note_overloads();
+        resolve_contacts(cloth_, h_);
+        if (cloth_.def.collide_self)
+            cloth_.self.resolve(cloth_.sheet, 2 * cloth_.def.thickness, cloth_.def.friction);
+        release_attachments();
+        cloth_.sheet.finish(h_, gravity_, cloth_.def.damping);
+        move_bodies(cloth_, h_);
+    }
+
+private:
+    // The arm of an attachment from the centre of its body.
+    static Vec3 arm_of(const CarriedBody& body, const ClothAttachment& attachment) {
+        return rotate(body.rotation, attachment.point + body.origin.position);
+    }
+
+    // An attached vertex and its share of the body move as one mass.
+    void hold_attachments() {
+        Sheet& sheet = cloth_.sheet;
+        cloth_.own_moved.resize(cloth_.attachments.size());
+        cloth_.common_moved.resize(cloth_.attachments.size());
+        for (std::size_t k = 0; k < cloth_.attachments.size(); k++) {
+            const ClothAttachment& attachment = cloth_.attachments[k];
+            const std::uint32_t v = attachment.vertex;
+            const Vec3 at = sheet.position(v);
+            const double own = sheet.free_inverse_mass(v);
+            cloth_.own_moved[k] = sheet.moved(v);
+            double inverse_mass = 0;
+            Vec3 moved = attachment.point - at;
+            if (cloth_.attached_body[k] != no_body) {
+                const CarriedBody& body = cloth_.bodies[cloth_.attached_body[k]];
+                const Vec3 arm = arm_of(body, attachment);
+                const Vec3 drift = body.center + arm - at, travel = travel_of(body, arm, h_);
+                moved = drift + travel;
+                if (is_pushed(body)) {
+                    const double others = response_bound(body, arm) * body.attached;
+                    inverse_mass = own * others / (own + others);
+                    moved = drift +
+                            (travel * own + cloth_.own_moved[k] * others) * (1 / (own + others));
+                }
+            }
+            sheet.set_inverse_mass(v, inverse_mass);
+            sheet.set_moved(v, moved);
+            cloth_.common_moved[k] = sheet.moved(v);
+        }
+    }
+    // At least the response of the point in any direction, so that shares never overshoot.
+    static double response_bound(const CarriedBody& body, Vec3 arm) {
+        const Mat3 r = point_response(body.response, arm);
+        return r.x.x + r.y.y + r.z.z;
+    }
+
+    // The body gets what the sheet did to the common mass, less what the vertex took.
+    void release_attachments() {
+        Sheet& sheet = cloth_.sheet;
+        for (std::size_t k = 0; k < cloth_.attachments.size(); k++) {
+            const std::uint32_t v = cloth_.attachments[k].vertex;
+            const double inverse_mass = sheet.inverse_mass(v), own = sheet.free_inverse_mass(v);
+            sheet.set_inverse_mass(v, own);
+            if (inverse_mass == 0) continue;
+            CarriedBody& body = cloth_.bodies[cloth_.attached_body[k]];
+            const Vec3 moved = sheet.moved(v);
+            const Vec3 impulse = (moved - cloth_.common_moved[k]) * (1 / (inverse_mass * h_)) -
+                                 (moved - cloth_.own_moved[k]) * (1 / (own * h_));
+            push(body, impulse, arm_of(body, cloth_.attachments[k]));
+        }
+    }
+
+    void note_overloads() {
+        if (cloth_.def.breaking_load == 0) return;
+        const Sheet& sheet = cloth_.sheet;
+        const std::vector<SheetEdge>& edges = sheet.topology().edges;
+        for (std::uint32_t e = 0; e < edges.size(); e++) {
+            const double tension = sheet.tension(e) / edges[e].width;
+            if (tension <= cloth_.def.breaking_load || sheet.is_torn(e)) continue;
+            if (cloth_.overloaded.empty()) cloth_.overload = tension;
+            cloth_.overloaded.push_back(e);
+        }
+    }
+
+    Cloth& cloth_;
+    const Vec3 gravity_;
+    const double h_;
+    const int bends_;  // parts that bending stands for
+};
+
+}  // namespace
+
+void wake(Cloth& cloth) {
+    cloth.awake = true;
+    cloth.rest_time = 0;
+}
+
+void begin_step(World& world, Cloth& cloth, double dt) {
+    drop_lost_bodies(world, cloth);
+    cloth.substeps_done = 0;
+    cloth.overloaded.clear();
+    cloth.self.begin_step();
+    const double speed = greatest_speed(cloth.sheet);
+    const double reach = cloth.def.thickness + dt * (speed + dt * length(world.gravity()));
+    if (cloth.def.collide_bodies)
+        cloth.nearby.collect(world, bounds_of(cloth.sheet, reach), dt,
+                             {.categories = cloth.def.body_categories});
+    if (!cloth.awake && is_disturbed(world, cloth)) wake(cloth);
+    std::vector<FieldDef> fields;
+    for (const FieldId id : world.fields())
+        if (const Result<FieldDef> field = world.field(id); field.ok()) fields.push_back(*field);
+    if (cloth.def.wind != Vec3{} || cloth.def.gust != Vec3{})
+        fields.push_back({.force = UniformWind{.velocity = cloth.def.wind,
+                                               .gust = cloth.def.gust,
+                                               .gust_period = cloth.def.gust_period}});
+    const bool blown =
+        blow(cloth.sheet, fields, cloth.def.drag, cloth.def.mass_per_area, world.time(), dt);
+    if (!cloth.awake && blown) {
+        const std::vector<float>& a = cloth.sheet.accelerations();
+        const auto strong = [](float x) { return absolute(double{x}) > 0.5; };
+        if (std::ranges::any_of(a, strong)) wake(cloth);
+    }
+    if (!cloth.awake) return;
+    cloth.sheet.rebase();
+    std::erase_if(cloth.touched,
+                  [](TouchedBody& body) { return body.steps_since++ >= touch_memory; });
+    const bool is_new = expect_bodies(cloth, dt, world.gravity());
+    if (is_new || cloth.rest_time == 0) tie_bodies(world, cloth);
+    find_bodies(world, cloth);
+}
+
+// Parts of a sub-step in which no body that may touch the cloth moves by more than half an edge.
+static int parts_for_bodies(const Cloth& cloth, double h, int least) {
+    constexpr int most = 64;
+    double fastest = 0;
+    for (const CarriedBody& body : cloth.bodies)
+        if (std::ranges::binary_search(cloth.touched, body.id, {}, &TouchedBody::body))
+            fastest = maximum(fastest, length_squared(body.velocity));
+    const double needed = h * square_root(fastest) / (0.5 * longest_edge(cloth.sheet));
+    int parts = least;
+    while (parts < needed && parts < most) parts++;
+    return parts;
+}
+
+void advance(Cloth& cloth, const ClothSubstep& substep, int least) {
+    ASSERT(least >= 1 && substep.h > 0);
+    read_group(cloth, substep.group);
+    const int parts =
+        cloth.sheet.stable_parts(substep.h, parts_for_bodies(cloth, substep.h, least));
+    for (int n = 0; n < parts; n++) {
+        const int bends = n % 2 == 1 ? 0 : n + 1 < parts ? 2 : 1;
+        Part(cloth, substep.gravity, substep.h / parts, bends).run();
+    }
+    write_group(cloth, substep.group);
+    cloth.substeps_done++;
+}
+
+void end_step(World& world, Cloth& cloth, double dt) {
+    if (!cloth.awake) return;
+    bool bodies_rest = true;
+    for (const CarriedBody& body : cloth.bodies) {
+        if (body.type != BodyType::dynamic) continue;
+        bodies_rest = bodies_rest && !is_moving(world, body.id);
+        if (body.in_group || (body.impulse == Vec3{} && body.angular_impulse == Vec3{})) continue;
+        const Result<BodyState> state = world.body(body.id);
+        if (!state.ok()) continue;
+        if (!state->awake && length(body.impulse) < wake_speed * state->mass) continue;
+        static_cast<void>(world.apply_impulse(body.id, body.impulse, state->center));
+        static_cast<void>(world.apply_angular_impulse(body.id, body.angular_impulse));
+    }
+    const bool rests = bodies_rest && mean_speed(cloth.sheet) <= rest_speed &&
+                       greatest_speed(cloth.sheet) <= 5 * rest_speed;
+    cloth.rest_time = rests ? cloth.rest_time + dt : 0;
+    if (cloth.rest_time < time_to_sleep) return;
+    const auto sleeps = [&](BodyId id) {
+        const Result<BodyState> body = world.body(id);
+        return !body.ok() || !body->awake;
+    };
+    if (!std::ranges::all_of(cloth.ties.bodies(), sleeps)) return;
+    cloth.awake = false;
+    for (std::size_t k = 0; k < cloth.sheet.size(); k++) cloth.sheet.set_velocity(k, {});
+}
+
+}  // namespace jostle::modules::cloth_detail

@@ -2,7 +2,10 @@
 //
 // Cloth in scenes and for clients: reads settings and publishes channels.
 #include <algorithm>
+#include <iterator>
+#include <span>
 #include <string>
+#include <vector>
 
 #include "jostle/modules/cloth.h"
 #include "jostle/modules/settings.h"
@@ -14,6 +17,7 @@ namespace jostle::modules {
 using namespace physics;
 
 using cloth_detail::Cloth;
+using cloth_detail::Sheet;
 
 namespace {
 
@@ -106,29 +110,32 @@ Status Cloths::configure(World& world, const ModuleSettings& settings) {
 }
 
 std::vector<ChannelKind> Cloths::channels() const {
-    return {{"", ChannelForm::points, points_divisor},
-            {"sheets", ChannelForm::params, points_divisor}};
+    return {{"", ChannelForm::points, points_divisor}};
 }
 
 void Cloths::publish(const World&, ChannelWriter& channels) const {
-    if (cloths_.empty()) return;
-    std::vector<Vec3> points;
-    std::vector<const Cloth*> published;
+    if (!channels.wants_points(0)) return;
+    std::vector<Vec3> positions;
     for (const auto& cloth : cloths_) {
-        if (points.size() + cloth->sheet.size() > published_max) continue;
-        published.push_back(cloth.get());
-        for (std::size_t k = 0; k < cloth->sheet.size(); k++)
-            points.push_back(cloth->sheet.position(k));
-    }
-    if (channels.begin(0)) channels.points(1000, points);
-    if (!channels.begin(1)) return;
-    for (const Cloth* cloth : published) {
-        const bool grid = cloth->def.triangles.empty();
-        channels.value(static_cast<std::int32_t>(cloth->key.number));
-        channels.value(static_cast<std::int32_t>(cloth->sheet.size()));
-        channels.value(grid ? static_cast<std::int32_t>(cloth->def.grid.rows) : 0);
-        channels.value(grid ? static_cast<std::int32_t>(cloth->def.grid.columns) : 0);
-        channels.value(static_cast<std::int32_t>(cloth->def.color));
+        const Sheet& sheet = cloth->sheet;
+        const std::span triangles(sheet.topology().triangles);
+        if (sheet.size() > PointObject::points_max || triangles.size() > PointObject::triangles_max)
+            continue;
+        positions.resize(sheet.size());
+        for (std::size_t k = 0; k < sheet.size(); k++) positions[k] = sheet.position(k);
+        // A torn cloth is a mesh of the triangles that are left.
+        const bool whole = cloth->def.triangles.empty() &&
+                           std::ranges::count(sheet.torn(), 0) == std::ssize(sheet.torn());
+        PointObject object{.key = cloth->key.number,
+                           .step = published_step,
+                           .color = cloth->def.color,
+                           .form = whole ? PointForm::grid : PointForm::triangles,
+                           .positions = positions};
+        if (whole)
+            object.columns = cloth->def.grid.columns;
+        else if (!triangles.empty())
+            object.triangles = {triangles.front().data(), 3 * triangles.size()};
+        channels.points(0, object);
     }
 }
 

@@ -37,7 +37,7 @@ public:
     static constexpr std::size_t cloths_max = 256;        ///< maximum number of cloths
     static constexpr std::size_t vertices_max = 100000;   ///< of all cloths
     static constexpr std::size_t attachments_max = 1000;  ///< of a cloth
-    static constexpr std::size_t published_max = 5000;    ///< vertices in the channel "cloth"
+    static constexpr double published_step = 0.002;       ///< m
     static constexpr int points_divisor = 2;              ///< steps between publications
 
     Cloths();
@@ -90,13 +90,8 @@ public:
     physics::Status configure(physics::World& world,
                               const physics::ModuleSettings& settings) override;
 
-    /// Publishes two channels every points_divisor steps.
-    ///
-    /// "cloth", of the form points: the positions of the vertices in mm, cloth by cloth. Skips
-    /// cloths that would exceed published_max.
-    ///
-    /// "cloth.sheets": per published cloth: key, number of vertices, rows and columns (0 for a
-    /// mesh), and color.
+    /// Publishes the channel "cloth" of the form points every points_divisor steps: each cloth of up to
+    /// 65,536 vertices as a grid, or as triangles if it is a mesh or torn, in steps of published_step.
     std::vector<physics::ChannelKind> channels() const override;
     void publish(const physics::World& world, physics::ChannelWriter& channels) const override;
 

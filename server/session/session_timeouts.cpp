@@ -42,7 +42,9 @@ double SessionTimeouts::transfer_seconds(std::size_t bytes) {
 }
 
 std::optional<Error> SessionTimeouts::client_timeout(Clock::time_point now) const {
-    const double patience = settings_.client_timeout_seconds + transfer_seconds(sent_bytes_);
+    constexpr double answer_seconds = 2;
+    const double patience =
+        std::max(settings_.client_timeout_seconds, transfer_seconds(sent_bytes_) + answer_seconds);
     if (now - last_received_ <= from_seconds(patience)) return std::nullopt;
     return Error{ErrorCode::deadline_exceeded,
                  fmt::format("no message arrived for {:g} s; send an Ack or a Ping more often",

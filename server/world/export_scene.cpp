@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "jostle/base/check.h"
+#include "jostle/modules/island_coupling.h"
 #include "jostle/physics/module.h"
 #include "jostle/physics/vec3.h"
 
@@ -54,8 +55,7 @@ public:
         add_joints();
         for (const scenes::SceneModule& module : origin_.modules) add_module(module);
         report_omitted("module bodies", module_bodies_, "their modules create them again");
-        report_omitted("joints", world_.joints().size() - out_.scene.joints.size(),
-                       "they are grabs of clients");
+        report_omitted("joints", count_grabs(), "they are grabs of clients");
         report_omitted("module states", reset_modules_,
                        "bodies that they refer to changed, so the modules start from their initial "
                        "state");
@@ -107,6 +107,16 @@ private:
             joint.body_b = *new_index_[joint.body_b];
             out_.scene.joints.push_back(std::move(joint));
         }
+    }
+
+    // All other joints are those of the scene and couplings that modules create again.
+    std::size_t count_grabs() const {
+        const auto joints = world_.joints();
+        const auto couplings = std::ranges::count_if(joints, [&](JointId id) {
+            return modules::is_island_coupling(world_.joint(id)->def.kind) &&
+                   std::ranges::find(ids_.joints, id) == ids_.joints.end();
+        });
+        return joints.size() - out_.scene.joints.size() - static_cast<std::size_t>(couplings);
     }
 
     // A module's state refers to bodies and joints by id. The exported scene yields the same ids

@@ -5,7 +5,6 @@
 #include <utility>
 
 #include "jostle/base/check.h"
-#include "server/world/tick_pool.h"
 
 namespace jostle::server {
 

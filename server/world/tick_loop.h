@@ -13,12 +13,11 @@
 
 #include "server/util/clock.h"
 #include "server/world/tick_clock.h"
+#include "server/world/tick_pool.h"
 
 namespace jostle::server {
 
-class TickPool;
-
-class TickLoop {
+class TickLoop : private PooledLoop {
 public:
     struct Settings {
         double hz = 60;
@@ -34,7 +33,7 @@ public:
     using Run = std::function<bool(const Tick& tick)>;
 
     TickLoop() = default;
-    ~TickLoop();  // after stop(), or without a start
+    ~TickLoop() override;  // after stop(), or without a start
     TickLoop(const TickLoop&) = delete;
     TickLoop& operator=(const TickLoop&) = delete;
 
@@ -50,10 +49,8 @@ public:
     void stop();
 
 private:
-    friend class TickPool;
-
-    bool run_due();   // false: the loop has ended
-    void end_rest();  // under the lock of the pool
+    bool run_due() override;
+    void end_rest() override;
 
     std::shared_ptr<TickPool> pool_;
     Settings settings_;
@@ -63,11 +60,6 @@ private:
     std::function<void(const char* what)> on_error_;
     // Whoever sets one of them reads the other one afterwards, so that no call of wake() is lost.
     std::atomic<bool> rests_{false}, woken_{false};
-
-    // Owned by the pool, under its lock, or by the thread that runs the loop.
-    Clock::time_point wake_at_{};
-    Clock::duration last_run_{};
-    bool runs_ = false, ends_ = false;
 };
 
 }  // namespace jostle::server

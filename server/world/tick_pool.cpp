@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "jostle/base/check.h"
-#include "server/world/tick_loop.h"
 
 namespace jostle::server {
 namespace {
@@ -52,12 +51,12 @@ void TickPool::start_thread() {
     threads_.emplace_back([this] { work(); });
 }
 
-void TickPool::add(TickLoop& loop) {
+void TickPool::add(PooledLoop& loop) {
     const std::lock_guard lock(mutex_);
     insert(loop);
 }
 
-void TickPool::insert(TickLoop& loop) {
+void TickPool::insert(PooledLoop& loop) {
     const auto [at, added] = waiting_.emplace(loop.wake_at_, &loop);
     ASSERT(added);
     if (at != waiting_.begin()) return;
@@ -68,14 +67,14 @@ void TickPool::insert(TickLoop& loop) {
         work_.notify_one();
 }
 
-void TickPool::remove(TickLoop& loop) {
+void TickPool::remove(PooledLoop& loop) {
     std::unique_lock lock(mutex_);
     loop.ends_ = true;
     if (!loop.runs_) waiting_.erase({loop.wake_at_, &loop});
     ended_.wait(lock, [&] { return !loop.runs_; });
 }
 
-void TickPool::wake(TickLoop& loop) {
+void TickPool::wake(PooledLoop& loop) {
     const std::lock_guard lock(mutex_);
     if (loop.runs_ || waiting_.erase({loop.wake_at_, &loop}) == 0) return;  // or it has ended
     loop.end_rest();
@@ -106,7 +105,7 @@ void TickPool::wait_for_work(std::unique_lock<std::mutex>& lock) {
 }
 
 void TickPool::run_first(std::unique_lock<std::mutex>& lock) {
-    TickLoop& loop = *waiting_.begin()->second;
+    PooledLoop& loop = *waiting_.begin()->second;
     waiting_.erase(waiting_.begin());
     ASSERT(!loop.runs_ && !loop.ends_);
     loop.runs_ = true;

@@ -19,7 +19,25 @@
 
 namespace jostle::server {
 
-class TickLoop;
+// A loop as its pool runs it.
+class PooledLoop {
+public:
+    virtual ~PooledLoop() = default;
+
+protected:
+    PooledLoop() = default;
+
+    // Owned by the pool, under its lock, or by the thread that runs the loop.
+    Clock::time_point wake_at_{};
+    Clock::duration last_run_{};
+    bool runs_ = false, ends_ = false;
+
+private:
+    friend class TickPool;
+
+    virtual bool run_due() = 0;   // false: the loop has ended
+    virtual void end_rest() = 0;  // under the lock of the pool
+};
 
 class TickPool {
 public:
@@ -35,24 +53,23 @@ public:
     void add_thread_if_stuck(Clock::time_point now);
     std::size_t threads() const;
 
-private:
-    friend class TickLoop;
-
-    void add(TickLoop& loop);
+    // Any thread, for loops.
+    void add(PooledLoop& loop);
     // Waits for the running tick of the loop; it does not run again.
-    void remove(TickLoop& loop);
+    void remove(PooledLoop& loop);
     // The next tick of a resting loop runs as soon as it is due.
-    void wake(TickLoop& loop);
+    void wake(PooledLoop& loop);
 
+private:
     void start_thread();  // under the lock, as the following functions
     void work();
     void run_first(std::unique_lock<std::mutex>& lock);
     void wait_for_work(std::unique_lock<std::mutex>& lock);
-    void insert(TickLoop& loop);
+    void insert(PooledLoop& loop);
 
     mutable std::mutex mutex_;
     std::condition_variable next_due_, work_, ended_;
-    std::set<std::pair<Clock::time_point, TickLoop*>> waiting_;  // by due time
+    std::set<std::pair<Clock::time_point, PooledLoop*>> waiting_;  // by due time
     std::vector<std::thread> threads_;
     int idle_ = 0;              // threads that wait for work_
     bool has_watcher_ = false;  // a thread waits for next_due_

@@ -2,8 +2,8 @@
 //
 // One world, on one thread at a time, which takes commands, applies them, steps and publishes a
 // frame at a fixed rate. Commands enter through a bounded mailbox and frames leave as immutable
-// values; no other thread accesses the world. A world that nobody watches and in which nothing
-// moves rests: it steps at the same rate, but several ticks at once and without frames in between.
+// values; no other thread accesses the world. A world without clients in which nothing moves
+// rests: it steps at the same rate, but several ticks at once and without frames in between.
 // A world without ticks of its own ticks by calls of tick(), for tests and simulations.
 #pragma once
 
@@ -144,7 +144,7 @@ private:
     bool run_tick(const TickLoop::Tick& tick);  // returns may_rest()
     // One of several ticks that run at once because the world rests.
     void run_resting_tick(Clock::time_point due);
-    // Returns whether nobody watches the world and nothing happens in it.
+    // Returns whether the world has no clients and nothing happens in it.
     bool may_rest(const Frame& frame) const;
     // `refusal`: why no input is applied; nothing: inputs are applied.
     std::optional<Error> input_refusal(const std::optional<std::string>& paused) const;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "jostle/modules/island_coupling.h"
 
+#include <variant>
+
 namespace jostle::modules {
 
 using namespace physics;
@@ -11,6 +13,11 @@ Result<JointId> create_island_coupling(World& world, BodyId a, BodyId b) {
                                .body_b = b,
                                .kind = VelocityRow{.lower = 0, .upper = 0},
                                .collide_connected = true});
+}
+
+bool is_island_coupling(const JointKind& kind) {
+    const auto* row = std::get_if<VelocityRow>(&kind);
+    return row != nullptr && row->lower == 0 && row->upper == 0;
 }
 
 }  // namespace jostle::modules

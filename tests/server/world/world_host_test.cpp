@@ -98,7 +98,7 @@ TEST(WorldHost, ticks_manually_without_a_thread) {
 }
 
 // A world at rest steps at its rate, but publishes a frame every quarter of a second.
-TEST(WorldHost, a_world_that_nobody_watches_rests_until_a_command_arrives) {
+TEST(WorldHost, a_world_without_clients_rests_until_a_command_arrives) {
     scenes::SceneDescription scene{.name = "floor", .hz = 100};
     scene.bodies.push_back({.body = {.type = physics::BodyType::static_body},
                             .shapes = {{.geometry = physics::Box{}}}});

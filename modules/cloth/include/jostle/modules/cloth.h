@@ -90,8 +90,9 @@ public:
     physics::Status configure(physics::World& world,
                               const physics::ModuleSettings& settings) override;
 
-    /// Publishes the channel "cloth" of the form points every points_divisor steps: each cloth of up to
-    /// 65,536 vertices as a grid, or as triangles if it is a mesh or torn, in steps of published_step.
+    /// Publishes the channel "cloth" of the form points every points_divisor steps: each cloth of
+    /// up to 65,536 vertices as a grid, or as triangles if it is a mesh or torn, in steps of
+    /// published_step.
     std::vector<physics::ChannelKind> channels() const override;
     void publish(const physics::World& world, physics::ChannelWriter& channels) const override;
 

@@ -15,5 +15,7 @@ namespace jostle::modules {
 /// World::create_joint().
 physics::Result<physics::JointId> create_island_coupling(physics::World& world, physics::BodyId a,
                                                          physics::BodyId b);
+/// Returns whether a joint couples islands only.
+bool is_island_coupling(const physics::JointKind& kind);
 
 }  // namespace jostle::modules

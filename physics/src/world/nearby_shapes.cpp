@@ -15,11 +15,16 @@
 
 namespace jostle::physics {
 
+// A copy: a listener may create and destroy shapes before the step is solved.
 struct NearbyShapes::Shape {
-    TransformedShape now;
-    const ShapeRecord* record;
+    Geometry geometry;
+    Material material;
+    Vec3 offset;  // of the shape's origin from the centre of mass, in body axes
+    Mat3 axes;    // of the shape in the body
+    bool aligned = false;
     ShapeId id;
-    std::uint32_t body;
+    std::uint32_t body = 0;
+    TransformedShape now;
     Aabb bounds;  // at the current pose; unused by planes
 };
 
@@ -110,29 +115,32 @@ void NearbyShapes::collect(const World& world, const Aabb& box, double dt,
         if (!is_null(filter.ignore) && body == filter.ignore) continue;
         const BodyWarm& warm = warm_of(state, record.body);
         const BodyCold& cold = state.bodies.cold[record.body];
-        Shape shape{transformed_shape(record, warm), &record, shape_id(state.shapes, index), 0, {}};
+        const TransformedShape now = transformed_shape(record, warm);
         const Aabb reach = grow_all(
             box, cold.set == BodySet::awake ? travel_of(warm, cold, state.def.gravity, dt) : 0);
-        if (is_plane(shape.now)) {
-            if (!reaches_plane(shape.now, reach)) continue;
+        Aabb bounds;
+        if (is_plane(now)) {
+            if (!reaches_plane(now, reach)) continue;
         } else {
-            shape.bounds = bounds_of(shape.now);
-            if (!overlap(shape.bounds, reach)) continue;
+            bounds = bounds_of(now);
+            if (!overlap(bounds, reach)) continue;
         }
-        shapes_.push_back(shape);
+        shapes_.push_back({record.geometry, record.material, record.offset, record.axes,
+                           record.aligned, shape_id(state.shapes, index), record.body, now,
+                           bounds});
     }
     for (const Shape& shape : shapes_) {
-        const std::uint32_t body = shape.record->body;
-        const auto at =
-            std::ranges::lower_bound(bodies_, body_id(state.bodies, body), {}, &Body::id);
-        if (at == bodies_.end() || at->id != body_id(state.bodies, body))
-            bodies_.insert(at, body_of_set(state, body));
+        const BodyId body = body_id(state.bodies, shape.body);
+        const auto at = std::ranges::lower_bound(bodies_, body, {}, &Body::id);
+        if (at == bodies_.end() || at->id != body)
+            bodies_.insert(at, body_of_set(state, shape.body));
     }
-    for (Shape& shape : shapes_)
+    for (Shape& shape : shapes_) {
+        const BodyId body = body_id(state.bodies, shape.body);
         shape.body = static_cast<std::uint32_t>(
-            std::ranges::lower_bound(bodies_, body_id(state.bodies, shape.record->body), {},
-                                     &Body::id) -
-            bodies_.begin());
+            std::ranges::lower_bound(bodies_, body, {}, &Body::id) - bodies_.begin());
+        shape.now.geometry = &shape.geometry;
+    }
 }
 
 std::size_t NearbyShapes::size() const {
@@ -144,7 +152,7 @@ ShapeId NearbyShapes::shape(std::size_t index) const {
 }
 const Material& NearbyShapes::material(std::size_t index) const {
     ASSERT(index < shapes_.size());
-    return shapes_[index].record->material;
+    return shapes_[index].material;
 }
 std::uint32_t NearbyShapes::body_of(std::size_t index) const {
     ASSERT(index < shapes_.size());
@@ -159,8 +167,8 @@ void NearbyShapes::place_shapes(std::size_t body) {
     const Mat3 axes = to_matrix(at.rotation);
     for (Shape& shape : shapes_) {
         if (shape.body != body) continue;
-        shape.now.position = at.center + axes * shape.record->offset;
-        shape.now.axes = shape.record->aligned ? axes : axes * shape.record->axes;
+        shape.now.position = at.center + axes * shape.offset;
+        shape.now.axes = shape.aligned ? axes : axes * shape.axes;
         if (!is_plane(shape.now)) shape.bounds = bounds_of(shape.now);
     }
 }

@@ -50,6 +50,22 @@ TEST(NearbyShapes, finds_the_closest_points_that_the_world_finds) {
     EXPECT_GT(found, 50);
 }
 
+// Listeners may create and destroy bodies after the shapes were collected.
+TEST(NearbyShapes, do_not_change_with_the_world) {
+    World world = test::make_world({.gravity = {}});
+    const BodyId ball = test::add(world, {.geometry = Sphere{0.5}, .position = {0, 1, 0}});
+    NearbyShapes shapes;
+    shapes.collect(world, {{-2, -2, -2}, {2, 2, 2}}, dt);
+    test::must(world.destroy_body(ball));
+    for (int k = 0; k < 2000; k++) test::add(world, {.position = {3.0 * k, 20, 0}});
+    const Vec3 point{0, 2, 0};
+    std::optional<ClosestPoint> nearest;
+    shapes.closest_points({&point, 1}, 1, {&nearest, 1});
+    ASSERT_TRUE(nearest);
+    EXPECT_NEAR(nearest->distance, 0.5, 1e-12);
+    EXPECT_EQ(nearest->body, ball);
+}
+
 TEST(NearbyShapes, includes_bodies_that_come_near_within_the_step) {
     World world = make_world({.gravity = {}});
     const BodyId fast = add(world, {.geometry = Sphere{0.1}, .position = {20, 0, 0}});

@@ -55,8 +55,8 @@ public:
 
     /// Replaces the set by the shapes that may come within the box (m, world) in a step of dt
     /// seconds, by their velocities before the step and gravity; impacts may take a body further.
-    /// Call it between steps or in before_step(). The set is valid until the shapes of the world
-    /// change. Order: by ids.
+    /// Call it between steps or in before_step(). The set is a copy: it does not change with the
+    /// world. Order: by ids.
     void collect(const World& world, const Aabb& box, double dt, const QueryFilter& filter = {});
     /// Removes all shapes.
     void clear();

@@ -10,8 +10,11 @@ namespace jostle::modules {
 using namespace physics;
 
 void IslandTies::release(World& world) {
+    // Loaded ids are untrusted: they may be those of other joints.
     for (const JointId tie : ties_)
-        if (world.contains(tie)) static_cast<void>(world.destroy_joint(tie));
+        if (const Result<JointState> joint = world.joint(tie);
+            joint.ok() && is_island_coupling(joint->def.kind))
+            static_cast<void>(world.destroy_joint(tie));
     ties_.clear();
     bodies_.clear();
 }

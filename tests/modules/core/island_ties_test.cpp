@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "jostle/physics/module.h"
 #include "jostle/physics/step_listener.h"
 #include "tests/support/world_builder.h"
 
@@ -73,6 +74,35 @@ TEST(IslandTies, replace_ties_of_destroyed_bodies) {
     const BodyId rest[] = {bodies[0], bodies[2]};
     test::must(ties.update(world, rest));
     EXPECT_EQ(world.joints().size(), 1u);
+}
+
+// Module with ties as its state. A loaded state may name any joint.
+struct TiesModule : Module {
+    IslandTies ties;
+    std::string_view tag() const override { return "ties"; }
+    void visit(StateVisitor& v) override { ties.visit(v); }
+};
+
+TEST(IslandTies, destroy_no_joint_that_is_not_a_coupling) {
+    World world = test::make_world();
+    const BodyId a = test::add(world, {.position = {0, 5, 0}});
+    const BodyId b = test::add(world, {.position = {3, 5, 0}});
+    TiesModule module;
+    const BodyId both[] = {a, b};
+    test::must(module.ties.update(world, both));
+    const std::vector<std::byte> saved = save_module(module);
+    const JointId tie = world.joints().front();
+    // In another world a ball joint has the id of the tie.
+    World other = test::make_world();
+    test::add(other, {.position = {0, 5, 0}});
+    test::add(other, {.position = {3, 5, 0}});
+    ASSERT_EQ(test::must(other.create_joint({.body_a = a, .body_b = b})), tie);
+    TiesModule loaded;
+    test::must(load_module(loaded, saved));
+    loaded.ties.release(other);
+    EXPECT_TRUE(other.contains(tie));
+    module.ties.release(world);
+    EXPECT_FALSE(world.contains(tie));
 }
 
 TEST(IslandTies, apply_no_force) {

@@ -4,7 +4,6 @@
 #include <algorithm>
 
 #include "jostle/physics/scalar.h"
-#include "modules/cloth/src/cloth_bodies.h"
 
 namespace jostle::modules::cloth_detail {
 
@@ -12,18 +11,14 @@ using namespace physics;
 
 namespace {
 
-double fastest_body(const Cloth& cloth) {
-    double most = 0;
-    for (const CarriedBody& body : cloth.bodies)
-        most = maximum(most, length_squared(body.velocity));
-    return square_root(most);
-}
-
 // Index of a shape of `nearby`, which are sorted by id.
 std::uint32_t index_of(const NearbyShapes& nearby, ShapeId id) {
-    std::uint32_t k = 0;
-    while (k + 1 < nearby.size() && nearby.shape(k) != id) k++;
-    return k;
+    std::size_t first = 0, end = nearby.size();
+    while (end - first > 1) {
+        const std::size_t middle = (first + end) / 2;
+        (id < nearby.shape(middle) ? end : first) = middle;
+    }
+    return static_cast<std::uint32_t>(first);
 }
 
 bool was_pressed(const Cloth& cloth, std::uint32_t vertex, ShapeId shape) {
@@ -40,7 +35,7 @@ Vec3 arm_of(const VertexContact& contact, const CarriedBody& body) {
 }
 
 double response_along(const CarriedBody& body, Vec3 arm, Vec3 direction) {
-    if (!is_pushed(body)) return 0;
+    if (!body.is_pushed()) return 0;
     return dot(direction, point_response(body.response, arm) * direction);
 }
 
@@ -65,17 +60,6 @@ double mean_speed(const Sheet& sheet) {
     return square_root(sum / static_cast<double>(sheet.size()));
 }
 
-void place_shapes(Cloth& cloth) {
-    for (std::size_t k = 0; k < cloth.nearby_body.size(); k++) {
-        if (cloth.nearby_body[k] == no_body) continue;
-        const CarriedBody& body = cloth.bodies[cloth.nearby_body[k]];
-        if (body.type == BodyType::static_body) continue;
-        if (!body.in_group && body.velocity == Vec3{} && body.spin == Vec3{}) continue;
-        cloth.nearby.place(k, body.center,
-                           body.rotation * conjugate(cloth.nearby.bodies()[k].origin.rotation));
-    }
-}
-
 namespace {
 
 // Shapes that fit between vertices, or are fast enough to stretch the threads around them, touch
@@ -93,10 +77,11 @@ void find_edge_contacts(Cloth& cloth, double margin) {
     std::vector<bool> small(cloth.nearby.bodies().size());
     bool any = false;
     for (std::size_t k = 0; k < small.size(); k++) {
-        if (cloth.nearby_body[k] == no_body) continue;
-        const CarriedBody& body = cloth.bodies[cloth.nearby_body[k]];
+        const std::uint32_t index = cloth.bodies.index_of_nearby(k);
+        if (index == CarriedBodies::none) continue;
+        const CarriedBody& body = cloth.bodies.all()[index];
         small[k] = touches_edges(body, cloth.nearby.bodies()[k].radius, longest) &&
-                   !is_attached_to(cloth, body.id);
+                   !cloth.bodies.is_attached_to(body.id);
         any = any || small[k];
     }
     if (!any) return;
@@ -120,8 +105,8 @@ void find_edge_contacts(Cloth& cloth, double margin) {
             // The ends are contacts of vertices.
             if (!small[of] || found.fraction < 0.05 || found.fraction > 0.95) continue;
             cloth.edge_contacts.push_back(
-                {edges[e].a, edges[e].b, cloth.nearby_body[of], found.fraction, found.point,
-                 found.normal, found.gap,
+                {edges[e].a, edges[e].b, cloth.bodies.index_of_nearby(of), found.fraction,
+                 found.point, found.normal, found.gap,
                  square_root(cloth.def.friction * cloth.nearby.material(found.shape).friction)});
         }
     }
@@ -136,7 +121,8 @@ void find_contacts(Cloth& cloth, double h, Vec3 gravity) {
     const Sheet& sheet = cloth.sheet;
     const double thickness = cloth.def.thickness;
     const double margin =
-        0.25 * thickness + h * (greatest_speed(sheet) + fastest_body(cloth) + h * length(gravity));
+        0.25 * thickness +
+        h * (greatest_speed(sheet) + cloth.bodies.greatest_speed() + h * length(gravity));
     cloth.points.resize(sheet.size());
     cloth.nearest.resize(sheet.size());
     for (std::size_t k = 0; k < sheet.size(); k++) cloth.points[k] = sheet.position(k);
@@ -145,8 +131,8 @@ void find_contacts(Cloth& cloth, double h, Vec3 gravity) {
         if (!cloth.nearest[k]) continue;
         const ClosestPoint& near = *cloth.nearest[k];
         const std::uint32_t shape = index_of(cloth.nearby, near.shape);
-        const std::uint32_t body = cloth.nearby_body[cloth.nearby.body_of(shape)];
-        if (body == no_body || is_attached_to(cloth, near.body)) continue;
+        const std::uint32_t body = cloth.bodies.index_of_nearby(cloth.nearby.body_of(shape));
+        if (body == CarriedBodies::none || cloth.bodies.is_attached_to(near.body)) continue;
         VertexContact contact;
         contact.vertex = k;
         contact.body = body;
@@ -164,29 +150,29 @@ void find_contacts(Cloth& cloth, double h, Vec3 gravity) {
 void press_contacts(Cloth& cloth, double h) {
     Sheet& sheet = cloth.sheet;
     sheet.pressed().clear();
-    for (CarriedBody& body : cloth.bodies) body.pressed = 0;
+    for (CarriedBody& body : cloth.bodies.all()) body.touching = 0;
     bool any = false;
     for (VertexContact& contact : cloth.contacts) {
         contact.pressed = contact.pressed && !is_held(cloth, contact.vertex);
         if (!contact.pressed) continue;
-        cloth.bodies[contact.body].pressed++;
+        cloth.bodies.all()[contact.body].touching++;
         any = true;
     }
     if (!any) return;
     sheet.pressed().assign(4 * (sheet.size() + 1), 0);
     for (VertexContact& contact : cloth.contacts) {
         if (!contact.pressed) continue;
-        const CarriedBody& body = cloth.bodies[contact.body];
+        const CarriedBody& body = cloth.bodies.all()[contact.body];
         const Vec3 arm = arm_of(contact, body), n = contact.normal;
         const double own = sheet.inverse_mass(contact.vertex);
-        const double other = response_along(body, arm, n) * body.pressed;
+        const double other = response_along(body, arm, n) * body.touching;
         const Vec3 moved = sheet.moved(contact.vertex);
-        const double before = dot(n, moved), travel = dot(n, travel_of(body, arm, h));
+        const double before = dot(n, moved), travel = dot(n, body.travel_of(arm, h));
         contact.common = (travel * own + before * other) / (own + other);
         contact.inverse_mass = own * other / (own + other);
         sheet.set_moved(contact.vertex, moved + n * (contact.common - before));
-        // What the sheet takes with it is the vertex; the body gets the rest in
-        // resolve_contacts().
+        // The sheet moves the vertex by this impulse; resolve_contacts() applies the opposite one
+        // to the body.
         contact.impulse = (contact.common - before) / (own * h);
         const Vec3 q = n * square_root(own - contact.inverse_mass);
         float* to = &sheet.pressed()[4 * std::size_t{contact.vertex}];
@@ -206,26 +192,26 @@ void share_impulses(Cloth& cloth, double h) {
         const double size = square_root(own - contact.inverse_mass);
         if (size > 0)
             contact.impulse -= double{q[3]} / (size * h) * (1 - contact.inverse_mass / own);
-        CarriedBody& body = cloth.bodies[contact.body];
-        push(body, contact.normal * -contact.impulse, arm_of(contact, body));
+        CarriedBody& body = cloth.bodies.all()[contact.body];
+        body.push(contact.normal * -contact.impulse, arm_of(contact, body));
     }
 }
 
 void push_apart(Cloth& cloth, VertexContact& contact, double h) {
     Sheet& sheet = cloth.sheet;
-    CarriedBody& body = cloth.bodies[contact.body];
+    CarriedBody& body = cloth.bodies.all()[contact.body];
     const Vec3 arm = arm_of(contact, body), n = contact.normal;
     const double own = sheet.inverse_mass(contact.vertex);
-    if (own == 0 && !is_pushed(body)) return;
+    if (own == 0 && !body.is_pushed()) return;
     Vec3 moved = sheet.moved(contact.vertex);
-    Vec3 relative = moved - travel_of(body, arm, h);
+    Vec3 relative = moved - body.travel_of(arm, h);
     const double overlap = -(contact.gap + dot(n, relative));
     if (overlap > 0) {
         const double impulse = overlap / ((own + response_along(body, arm, n)) * h);
         contact.impulse += impulse;
         moved += n * (impulse * own * h);
-        push(body, n * -impulse, arm);
-        relative = moved - travel_of(body, arm, h);
+        body.push(n * -impulse, arm);
+        relative = moved - body.travel_of(arm, h);
     }
     const double load = contact.impulse;
     if (load > 0 && contact.friction > 0) {
@@ -236,7 +222,7 @@ void push_apart(Cloth& cloth, VertexContact& contact, double h) {
             const double stop = size / ((own + response_along(body, arm, direction)) * h);
             const Vec3 impulse = direction * -minimum(stop, contact.friction * load);
             moved += impulse * (own * h);
-            push(body, -impulse, arm);
+            body.push(-impulse, arm);
         }
     }
     sheet.set_moved(contact.vertex, moved);
@@ -244,19 +230,19 @@ void push_apart(Cloth& cloth, VertexContact& contact, double h) {
 
 void push_apart(Cloth& cloth, const EdgeContact& contact, double h) {
     Sheet& sheet = cloth.sheet;
-    CarriedBody& body = cloth.bodies[contact.body];
+    CarriedBody& body = cloth.bodies.all()[contact.body];
     const Vec3 arm = contact.point - body.center, n = contact.normal;
     const double wa = 1 - contact.fraction, wb = contact.fraction;
     const double own_a = sheet.inverse_mass(contact.a), own_b = sheet.inverse_mass(contact.b);
     const double own = own_a * wa * wa + own_b * wb * wb;
-    if (own == 0 && !is_pushed(body)) return;
+    if (own == 0 && !body.is_pushed()) return;
     const auto relative = [&] {
-        return sheet.moved(contact.a) * wa + sheet.moved(contact.b) * wb - travel_of(body, arm, h);
+        return sheet.moved(contact.a) * wa + sheet.moved(contact.b) * wb - body.travel_of(arm, h);
     };
     const auto apply = [&](Vec3 impulse) {
         sheet.set_moved(contact.a, sheet.moved(contact.a) + impulse * (own_a * wa * h));
         sheet.set_moved(contact.b, sheet.moved(contact.b) + impulse * (own_b * wb * h));
-        push(body, -impulse, arm);
+        body.push(-impulse, arm);
     };
     const double overlap = -(contact.gap + dot(n, relative()));
     if (overlap <= 0) return;
@@ -270,19 +256,24 @@ void push_apart(Cloth& cloth, const EdgeContact& contact, double h) {
     apply(direction * -minimum(stop, contact.friction * impulse));
 }
 
+void note_touch(Cloth& cloth, std::uint32_t index) {
+    const CarriedBody& body = cloth.bodies.all()[index];
+    if (body.type == BodyType::dynamic) cloth.bodies.touch(body.id);
+}
+
 }  // namespace
 
 void resolve_contacts(Cloth& cloth, double h) {
     share_impulses(cloth, h);
     for (const EdgeContact& contact : cloth.edge_contacts) {
         push_apart(cloth, contact, h);
-        touch(cloth, cloth.bodies[contact.body]);
+        note_touch(cloth, contact.body);
     }
     cloth.pressed.clear();
     for (VertexContact& contact : cloth.contacts) {
         push_apart(cloth, contact, h);
         if (contact.impulse <= 0) continue;
-        touch(cloth, cloth.bodies[contact.body]);
+        note_touch(cloth, contact.body);
         cloth.pressed.push_back({contact.vertex, cloth.nearby.shape(contact.shape)});
     }
 }

@@ -13,8 +13,6 @@ namespace jostle::modules::cloth_detail {
 double greatest_speed(const Sheet& sheet);
 double longest_edge(const Sheet& sheet);
 double mean_speed(const Sheet& sheet);  // root mean square
-// Moves the shapes of `nearby` to their bodies.
-void place_shapes(Cloth& cloth);
 // Finds the contacts of the next h seconds.
 void find_contacts(Cloth& cloth, double h, physics::Vec3 gravity);
 // Joins pressed vertices with their bodies. Before Sheet::solve_threads().

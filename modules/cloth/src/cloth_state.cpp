@@ -139,18 +139,11 @@ void visit_contacts(StateVisitor& v, Cloth& cloth) {
         v.field("vertex", pressed.vertex);
         v.field("shape", pressed.shape);
     });
-    v.all("touched", cloth.touched, [&](TouchedBody& touched) {
-        v.field("body", touched.body);
-        v.field("steps_since", touched.steps_since);
-    });
     if (!v.loading() || v.failed()) return;
     for (std::size_t k = 0; k < cloth.pressed.size(); k++)
         if (cloth.pressed[k].vertex >= cloth.sheet.size() ||
             (k > 0 && cloth.pressed[k].vertex <= cloth.pressed[k - 1].vertex))
             return v.fail("pressed", "has vertices that do not exist or are not increasing");
-    for (std::size_t k = 1; k < cloth.touched.size(); k++)
-        if (!(cloth.touched[k - 1].body < cloth.touched[k].body))
-            return v.fail("touched", "has bodies that are not strictly increasing");
 }
 
 void visit_cloth(StateVisitor& v, Cloth& cloth) {
@@ -166,9 +159,7 @@ void visit_cloth(StateVisitor& v, Cloth& cloth) {
     v.field("awake", cloth.awake);
     bounded(v, "rest_time", cloth.rest_time, 0, 1e12);
     visit_contacts(v, cloth);
-    v.enter("ties");
-    cloth.ties.visit(v);
-    v.leave();
+    cloth.bodies.visit(v);
 }
 
 }  // namespace

@@ -2,10 +2,11 @@
 #include "modules/cloth/src/cloth_step.h"
 
 #include <algorithm>
+#include <utility>
+#include <vector>
 
 #include "jostle/base/check.h"
 #include "jostle/physics/scalar.h"
-#include "modules/cloth/src/cloth_bodies.h"
 #include "modules/cloth/src/cloth_contacts.h"
 #include "modules/cloth/src/cloth_wind.h"
 
@@ -17,10 +18,6 @@ namespace {
 
 // A cloth and its bodies rest for this time before they sleep, as bodies do, s.
 constexpr double time_to_sleep = 0.5;
-// Steps after the last contact for which a body stays tied to a cloth.
-constexpr std::uint32_t touch_memory = 10;
-// A sleeping body wakes if an impulse of a cloth would move it faster than this, m/s.
-constexpr double wake_speed = 0.02;
 
 Aabb bounds_of(const Sheet& sheet, double margin) {
     Aabb box{sheet.position(0), sheet.position(0)};
@@ -39,8 +36,9 @@ void drop_lost_bodies(const World& world, Cloth& cloth) {
         return !is_null(attachment.body) && !world.contains(attachment.body);
     });
     if (cloth.attachments.size() != before) wake(cloth);
-    std::erase_if(cloth.touched,
-                  [&](const TouchedBody& touched) { return !world.contains(touched.body); });
+    std::vector<BodyId> attached;
+    for (const ClothAttachment& attachment : cloth.attachments) attached.push_back(attachment.body);
+    cloth.bodies.begin_step(world, std::move(attached));
 }
 
 // Bodies that may reach the cloth in this step join its group before they touch it: otherwise they
@@ -51,7 +49,7 @@ bool expect_bodies(Cloth& cloth, double dt, Vec3 gravity) {
     bool any = false;
     reach += longest_edge(sheet);
     for (const NearbyShapes::Body& body : cloth.nearby.bodies()) {
-        if (body.type != BodyType::dynamic || !body.awake || is_attached_to(cloth, body.id))
+        if (body.type != BodyType::dynamic || !body.awake || cloth.bodies.is_attached_to(body.id))
             continue;
         const Vec3 path = (body.linear_velocity + gravity * dt) * dt;
         const double path2 = length_squared(path);
@@ -60,20 +58,11 @@ bool expect_bodies(Cloth& cloth, double dt, Vec3 gravity) {
             const double t = path2 > 0 ? clamp(dot(to, path) / path2, 0, 1) : 0;
             const double most = body.radius + reach;
             if (length_squared(to - path * t) > most * most) continue;
-            if (touch(cloth, {.id = body.id, .type = body.type})) any = true;
+            if (cloth.bodies.touch(body.id)) any = true;
             break;
         }
     }
     return any;
-}
-
-// Something that moves near a sleeping cloth, or carries it, wakes it.
-bool is_disturbed(const World& world, const Cloth& cloth) {
-    for (const ClothAttachment& attachment : cloth.attachments)
-        if (!is_null(attachment.body) && is_moving(world, attachment.body)) return true;
-    return std::ranges::any_of(cloth.nearby.bodies(), [&](const NearbyShapes::Body& body) {
-        return body.type != BodyType::static_body && is_moving(world, body.id);
-    });
 }
 
 // ---- a part of a sub-step ----
@@ -84,7 +73,7 @@ public:
         : cloth_(cloth), gravity_(gravity), h_(h), bends_(bends) {}
 
     void run() {
-        place_shapes(cloth_);
+        cloth_.bodies.place(cloth_.nearby);
         find_contacts(cloth_, h_, gravity_);
         cloth_.sheet.predict(h_, gravity_);
         hold_attachments();
@@ -97,15 +86,10 @@ public:
             cloth_.self.resolve(cloth_.sheet, 2 * cloth_.def.thickness, cloth_.def.friction);
         release_attachments();
         cloth_.sheet.finish(h_, gravity_, cloth_.def.damping);
-        move_bodies(cloth_, h_);
+        cloth_.bodies.move(h_);
     }
 
 private:
-    // The arm of an attachment from the centre of its body.
-    static Vec3 arm_of(const CarriedBody& body, const ClothAttachment& attachment) {
-        return rotate(body.rotation, attachment.point + body.origin.position);
-    }
-
     // An attached vertex and its share of the body move as one mass.
     void hold_attachments() {
         Sheet& sheet = cloth_.sheet;
@@ -119,13 +103,12 @@ private:
             cloth_.own_moved[k] = sheet.moved(v);
             double inverse_mass = 0;
             Vec3 moved = attachment.point - at;
-            if (cloth_.attached_body[k] != no_body) {
-                const CarriedBody& body = cloth_.bodies[cloth_.attached_body[k]];
-                const Vec3 arm = arm_of(body, attachment);
-                const Vec3 drift = body.center + arm - at, travel = travel_of(body, arm, h_);
+            if (const CarriedBody* body = cloth_.bodies.attached(k)) {
+                const Vec3 arm = body->arm_to(attachment.point);
+                const Vec3 drift = body->center + arm - at, travel = body->travel_of(arm, h_);
                 moved = drift + travel;
-                if (is_pushed(body)) {
-                    const double others = response_bound(body, arm) * body.attached;
+                if (body->is_pushed()) {
+                    const double others = response_bound(*body, arm) * body->attached;
                     inverse_mass = own * others / (own + others);
                     moved = drift +
                             (travel * own + cloth_.own_moved[k] * others) * (1 / (own + others));
@@ -150,11 +133,11 @@ private:
             const double inverse_mass = sheet.inverse_mass(v), own = sheet.free_inverse_mass(v);
             sheet.set_inverse_mass(v, own);
             if (inverse_mass == 0) continue;
-            CarriedBody& body = cloth_.bodies[cloth_.attached_body[k]];
+            CarriedBody& body = *cloth_.bodies.attached(k);
             const Vec3 moved = sheet.moved(v);
             const Vec3 impulse = (moved - cloth_.common_moved[k]) * (1 / (inverse_mass * h_)) -
                                  (moved - cloth_.own_moved[k]) * (1 / (own * h_));
-            push(body, impulse, arm_of(body, cloth_.attachments[k]));
+            body.push(impulse, body.arm_to(cloth_.attachments[k].point));
         }
     }
 
@@ -193,7 +176,7 @@ void begin_step(World& world, Cloth& cloth, double dt) {
     if (cloth.def.collide_bodies)
         cloth.nearby.collect(world, bounds_of(cloth.sheet, reach), dt,
                              {.categories = cloth.def.body_categories});
-    if (!cloth.awake && is_disturbed(world, cloth)) wake(cloth);
+    if (!cloth.awake && cloth.bodies.any_moves(world, cloth.nearby)) wake(cloth);
     std::vector<FieldDef> fields;
     for (const FieldId id : world.fields())
         if (const Result<FieldDef> field = world.field(id); field.ok()) fields.push_back(*field);
@@ -210,19 +193,18 @@ void begin_step(World& world, Cloth& cloth, double dt) {
     }
     if (!cloth.awake) return;
     cloth.sheet.rebase();
-    std::erase_if(cloth.touched,
-                  [](TouchedBody& body) { return body.steps_since++ >= touch_memory; });
+    cloth.bodies.forget_old_contacts();
     const bool is_new = expect_bodies(cloth, dt, world.gravity());
-    if (is_new || cloth.rest_time == 0) tie_bodies(world, cloth);
-    find_bodies(world, cloth);
+    if (is_new || cloth.rest_time == 0) cloth.bodies.tie(world);
+    cloth.bodies.find(world, cloth.nearby);
 }
 
 // Parts of a sub-step in which no body that may touch the cloth moves by more than half an edge.
 static int parts_for_bodies(const Cloth& cloth, double h, int least) {
     constexpr int most = 64;
     double fastest = 0;
-    for (const CarriedBody& body : cloth.bodies)
-        if (std::ranges::binary_search(cloth.touched, body.id, {}, &TouchedBody::body))
+    for (const CarriedBody& body : cloth.bodies.all())
+        if (cloth.bodies.was_touched(body.id))
             fastest = maximum(fastest, length_squared(body.velocity));
     const double needed = h * square_root(fastest) / (0.5 * longest_edge(cloth.sheet));
     int parts = least;
@@ -232,39 +214,26 @@ static int parts_for_bodies(const Cloth& cloth, double h, int least) {
 
 void advance(Cloth& cloth, const ClothSubstep& substep, int least) {
     ASSERT(least >= 1 && substep.h > 0);
-    read_group(cloth, substep.group);
+    cloth.bodies.read(substep.group);
     const int parts =
         cloth.sheet.stable_parts(substep.h, parts_for_bodies(cloth, substep.h, least));
     for (int n = 0; n < parts; n++) {
         const int bends = n % 2 == 1 ? 0 : n + 1 < parts ? 2 : 1;
         Part(cloth, substep.gravity, substep.h / parts, bends).run();
     }
-    write_group(cloth, substep.group);
+    cloth.bodies.write(substep.group);
     cloth.substeps_done++;
 }
 
 void end_step(World& world, Cloth& cloth, double dt) {
     if (!cloth.awake) return;
-    bool bodies_rest = true;
-    for (const CarriedBody& body : cloth.bodies) {
-        if (body.type != BodyType::dynamic) continue;
-        bodies_rest = bodies_rest && !is_moving(world, body.id);
-        if (body.in_group || (body.impulse == Vec3{} && body.angular_impulse == Vec3{})) continue;
-        const Result<BodyState> state = world.body(body.id);
-        if (!state.ok()) continue;
-        if (!state->awake && length(body.impulse) < wake_speed * state->mass) continue;
-        static_cast<void>(world.apply_impulse(body.id, body.impulse, state->center));
-        static_cast<void>(world.apply_angular_impulse(body.id, body.angular_impulse));
-    }
+    const bool bodies_rest = cloth.bodies.finish_step(world);
+    constexpr double rest_speed = CarriedBodies::rest_speed;
     const bool rests = bodies_rest && mean_speed(cloth.sheet) <= rest_speed &&
                        greatest_speed(cloth.sheet) <= 5 * rest_speed;
     cloth.rest_time = rests ? cloth.rest_time + dt : 0;
     if (cloth.rest_time < time_to_sleep) return;
-    const auto sleeps = [&](BodyId id) {
-        const Result<BodyState> body = world.body(id);
-        return !body.ok() || !body->awake;
-    };
-    if (!std::ranges::all_of(cloth.ties.bodies(), sleeps)) return;
+    if (!cloth.bodies.all_asleep(world)) return;
     cloth.awake = false;
     for (std::size_t k = 0; k < cloth.sheet.size(); k++) cloth.sheet.set_velocity(k, {});
 }

@@ -128,7 +128,7 @@ Result<ClothKey> Cloths::add(World&, const ClothDef& def) {
 Status Cloths::remove(World& world, ClothKey key) {
     Cloth* cloth = find(key);
     if (cloth == nullptr) return unknown(key);
-    cloth->ties.release(world);
+    cloth->bodies.ties().release(world);
     std::erase_if(cloths_, [&](const auto& each) { return each.get() == cloth; });
     return {};
 }
@@ -202,8 +202,9 @@ Status Cloths::apply_impulse(World&, ClothKey key, std::uint32_t vertex, Vec3 im
 // ---- the step ----
 
 StepHooks Cloths::hooks() const {
-    const bool owned = std::ranges::any_of(
-        cloths_, [](const auto& cloth) { return cloth->awake && !cloth->ties.bodies().empty(); });
+    const bool owned = std::ranges::any_of(cloths_, [](const auto& cloth) {
+        return cloth->awake && !cloth->bodies.ties().bodies().empty();
+    });
     return {.substeps = owned, .pre_solve = false, .concurrent = true};
 }
 
@@ -217,7 +218,7 @@ void Cloths::before_step(World& world, double dt) {
         if (!cloth->awake) continue;
         work += static_cast<std::int64_t>(cloth->sheet.size()) * vertex_work *
                 cloth->sheet.stable_parts(dt, static_cast<int>(cloth->def.substeps));
-        if (cloth->ties.bodies().empty()) alone.push_back(cloth.get());
+        if (cloth->bodies.ties().bodies().empty()) alone.push_back(cloth.get());
     }
     world.count_work(work / 100);
     struct Run {
@@ -235,7 +236,7 @@ void Cloths::before_step(World& world, double dt) {
 void Cloths::before_substep(SubstepContext& substep) {
     const cloth_detail::ClothSubstep own{substep.h(), substep.world().gravity(), &substep};
     for (const auto& cloth : cloths_) {
-        if (!cloth->awake || !cloth->ties.owned_by(substep)) continue;
+        if (!cloth->awake || !cloth->bodies.ties().owned_by(substep)) continue;
         const int least =
             (static_cast<int>(cloth->def.substeps) + substep.count() - 1) / substep.count();
         cloth_detail::advance(*cloth, own, least);

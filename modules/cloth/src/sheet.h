@@ -71,7 +71,7 @@ public:
     // Predicted displacement in the current sub-step, m.
     physics::Vec3 moved(std::size_t vertex) const;
     void set_moved(std::size_t vertex, physics::Vec3 moved);
-    // 1/kg; 0: moves as told by set_moved().
+    // 1/kg; 0: set_moved() alone moves the vertex.
     double inverse_mass(std::size_t vertex) const { return nodes_[vertex].inverse_mass; }
     void set_inverse_mass(std::size_t vertex, double value) {
         nodes_[vertex].inverse_mass = static_cast<float>(value);

@@ -16,7 +16,7 @@ using namespace rope_detail;
 namespace {
 
 // Positions and velocities beyond these are not reached by ropes that are checked, m and m/s.
-constexpr double position_max = 1e9, speed_max = 1e9, tension_max = 1e18, impulse_max = 1e12;
+constexpr double position_max = 1e9, speed_max = 1e9, tension_max = 1e18;
 
 bool is_within(Vec3 v, double most) {
     const Vec3 size = abs(v);
@@ -110,26 +110,6 @@ void visit_contacts(StateVisitor& v, Rope& rope) {
         if (!(contact.pressure >= 0 && contact.pressure <= tension_max))
             v.fail("pressure", "is out of range");
     });
-    v.all("touched", rope.touched, [&](TouchedBody& touched) {
-        v.field("body", touched.body);
-        v.field("steps_since", touched.steps_since);
-    });
-    v.all("pushes", rope.pushes, [&](BodyPush& push) {
-        v.field("body", push.body);
-        v.field("impulse", push.impulse);
-        v.field("angular_impulse", push.angular_impulse);
-        if (v.loading() && !v.failed() &&
-            (!is_within(push.impulse, impulse_max) ||
-             !is_within(push.angular_impulse, impulse_max)))
-            v.fail("impulse", "is out of range");
-    });
-    if (!v.loading() || v.failed()) return;
-    for (std::size_t k = 1; k < rope.pushes.size(); k++)
-        if (!(rope.pushes[k - 1].body < rope.pushes[k].body))
-            return v.fail("pushes", "have bodies that are not strictly increasing");
-    for (std::size_t k = 1; k < rope.touched.size(); k++)
-        if (!(rope.touched[k - 1].body < rope.touched[k].body))
-            return v.fail("touched", "has bodies that are not strictly increasing");
 }
 
 void visit_rope(StateVisitor& v, Rope& rope) {
@@ -145,9 +125,7 @@ void visit_rope(StateVisitor& v, Rope& rope) {
     v.field("awake", rope.awake);
     bounded(v, "rest_time", rope.rest_time, 0, 1e12);
     visit_contacts(v, rope);
-    v.enter("ties");
-    rope.ties.visit(v);
-    v.leave();
+    rope.bodies.visit(v);
     if (!v.loading()) return;
     rope.strand.mass_per_length = rope.def.mass_per_length;
     rope.strand.stretch_stiffness = rope.def.stretch_stiffness;

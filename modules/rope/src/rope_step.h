@@ -23,9 +23,6 @@ struct RopeSubstep {
 // Before a step: wakes the rope if something near it moves or if the world has force fields, finds
 // the shapes and bodies near it, and ties its bodies. Resting ropes do not wake bodies.
 void begin_step(physics::World& world, Rope& rope, double dt, bool in_fields);
-// Gives the bodies of the group the impulses of the last sub-step. Call it for all ropes of the
-// group before advance(), which replaces them.
-void push_as_before(Rope& rope, physics::SubstepContext& group);
 // Advances the rope and gives its bodies their impulses. Divides the sub-step so that the rope
 // takes at least RopeDef::substeps per step; `count` is the number of sub-steps of the step.
 void advance(Rope& rope, const RopeSubstep& substep, int count);

@@ -137,7 +137,7 @@ Result<RopeKey> Ropes::add(World&, const RopeDef& def) {
 Status Ropes::remove(World& world, RopeKey key) {
     Rope* rope = find(key);
     if (rope == nullptr) return unknown(key);
-    rope->ties.release(world);
+    rope->bodies.ties().release(world);
     std::erase_if(ropes_, [&](const auto& each) { return each.get() == rope; });
     return {};
 }
@@ -227,7 +227,7 @@ Result<RopeKey> Ropes::split(World& world, Rope& rope, std::size_t node, RopeEve
                   [&](const RopeAttachment& attachment) { return attachment.node > node; });
     rest->winch[1] = std::exchange(rope.winch[1], 0);
     rope.contacts.clear();
-    rope.ties.release(world);
+    rope.bodies.ties().release(world);
     rope_detail::wake(rope);
     events_.push_back({kind, rope.key, rest->key, b.positions[0], tension});
     ropes_.push_back(std::move(rest));
@@ -297,8 +297,9 @@ Status Ropes::join(World& world, RopeKey key, RopeKey next_key) {
 // ---- the step ----
 
 StepHooks Ropes::hooks() const {
-    const bool owned = std::ranges::any_of(
-        ropes_, [](const auto& rope) { return rope->awake && !rope->ties.bodies().empty(); });
+    const bool owned = std::ranges::any_of(ropes_, [](const auto& rope) {
+        return rope->awake && !rope->bodies.ties().bodies().empty();
+    });
     return {.substeps = owned, .pre_solve = false, .concurrent = true};
 }
 
@@ -317,7 +318,7 @@ void Ropes::before_step(World& world, double dt) {
         if (!rope->awake) continue;
         work += static_cast<std::int64_t>(rope->strand.links()) *
                 std::max<std::int64_t>(rope->def.substeps, world.substeps()) * link_work;
-        if (rope->ties.bodies().empty()) alone.push_back(rope.get());
+        if (rope->bodies.ties().bodies().empty()) alone.push_back(rope.get());
     }
     world.count_work(work / 100);
     struct Run {
@@ -341,10 +342,7 @@ void Ropes::before_substep(SubstepContext& substep) {
     const rope_detail::RopeSubstep own{substep.h(), substep.world().gravity(), substep.time(),
                                        fields_, &substep};
     for (const auto& rope : ropes_)
-        if (rope->awake && rope->ties.owned_by(substep))
-            rope_detail::push_as_before(*rope, substep);
-    for (const auto& rope : ropes_)
-        if (rope->awake && rope->ties.owned_by(substep))
+        if (rope->awake && rope->bodies.ties().owned_by(substep))
             rope_detail::advance(*rope, own, substep.count());
 }
 

@@ -14,7 +14,7 @@ double inverse_pivot_of(double pivot) {
     return pivot > 0 ? 1 / pivot : 0;
 }
 
-// What the elimination of a node and a link adds to the next node.
+// The terms that the elimination of a node and its link adds to the next node.
 struct Carried {
     Symmetric3 block;
     Vec3 right;
@@ -109,7 +109,7 @@ void solve_rod(std::span<const NodeRow> nodes, std::span<const LinkRow> links,
     ASSERT(nodes.size() == links.size() + 1 && (cross.empty() || cross.size() == links.size()));
     memory.steps.resize(nodes.size());
     memory.rod_steps.resize(nodes.size());
-    // What elimination adds to the next node, to its coupling, and to the node after it.
+    // Terms added to the next node, to its coupling, and to the node after it.
     Symmetric3 block, block_after;
     Vec3 right, right_after;
     Mat3 coupling = diagonal({0, 0, 0});

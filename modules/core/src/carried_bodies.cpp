@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: MIT
+#include "jostle/modules/carried_bodies.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "jostle/physics/scalar.h"
+
+namespace jostle::modules {
+
+using namespace physics;
+
+namespace {
+
+// Steps after the last contact for which a body stays tied.
+constexpr std::uint32_t touch_memory = 10;
+// A sleeping body wakes if an impulse would move it faster than this, m/s.
+constexpr double wake_speed = 0.02;
+
+// Of a body outside of the group; inside, SubstepContext::response() is exact.
+BodyResponse response_of(const BodyState& body, Vec3 gravity) {
+    if (body.type != BodyType::dynamic || !body.awake) return {};
+    const Vec3 free{(body.locks & lock_x) != 0 ? 0.0 : 1.0, (body.locks & lock_y) != 0 ? 0.0 : 1.0,
+                    (body.locks & lock_z) != 0 ? 0.0 : 1.0};
+    const AxisLocks rotations = lock_rotation_x | lock_rotation_y | lock_rotation_z;
+    const bool turns = (body.locks & rotations) == 0;
+    return {.inverse_mass = free * (1 / body.mass),
+            .inverse_inertia = turns ? inverse(body.inertia) : diagonal({0, 0, 0}),
+            .acceleration = gravity};
+}
+
+CarriedBody carried(const BodyState& body, Vec3 gravity) {
+    const bool moves = body.awake || body.type == BodyType::kinematic;
+    CarriedBody c;
+    c.id = body.id;
+    c.type = body.type;
+    c.center = c.start_center = body.center;
+    c.velocity = moves ? body.linear_velocity : Vec3{};
+    c.spin = moves ? body.angular_velocity : Vec3{};
+    c.rotation = body.pose.rotation;
+    c.origin = {inverse_rotate(body.pose.rotation, body.pose.position - body.center), {}};
+    c.response = response_of(body, gravity);
+    return c;
+}
+
+bool is_moving(const World& world, BodyId id) {
+    const Result<BodyState> body = world.body(id);
+    if (!body.ok() || (!body->awake && body->type != BodyType::kinematic)) return false;
+    const double speed = body->type == BodyType::kinematic ? 0 : CarriedBodies::rest_speed;
+    return length_squared(body->linear_velocity) > speed * speed ||
+           length_squared(body->angular_velocity) > speed * speed;
+}
+
+}  // namespace
+
+bool CarriedBody::is_pushed() const {
+    return type == BodyType::dynamic &&
+           (response.inverse_mass != Vec3{} || response.inverse_inertia.x != Vec3{});
+}
+
+Vec3 CarriedBody::arm_to(Vec3 point) const {
+    return rotate(rotation, point + origin.position);
+}
+
+Vec3 CarriedBody::travel_of(Vec3 arm, double h) const {
+    if (type == BodyType::static_body) return {};
+    const Vec3 moved = (velocity + response.acceleration * h) * h;
+    if (spin == Vec3{}) return moved;
+    return moved + (rotate(from_rotation_vector(spin * h), arm) - arm);
+}
+
+void CarriedBody::push(Vec3 new_impulse, Vec3 arm) {
+    push_both(new_impulse, cross(arm, new_impulse));
+}
+
+void CarriedBody::push_both(Vec3 linear, Vec3 angular) {
+    if (type != BodyType::dynamic) return;
+    impulse += linear;
+    angular_impulse += angular + cross(center - start_center, linear);
+    velocity += scaled(linear, response.inverse_mass);
+    spin += response.inverse_inertia * angular;
+}
+
+void CarriedBodies::begin_step(const World& world, std::vector<BodyId> attached) {
+    attached_ids_ = std::move(attached);
+    std::erase_if(touched_, [&](const Touched& touched) { return !world.contains(touched.body); });
+}
+
+bool CarriedBodies::any_moves(const World& world, const NearbyShapes& nearby) const {
+    return std::ranges::any_of(
+               attached_ids_,
+               [&](BodyId body) { return !is_null(body) && is_moving(world, body); }) ||
+           std::ranges::any_of(nearby.bodies(), [&](const NearbyShapes::Body& body) {
+               return body.type != BodyType::static_body && is_moving(world, body.id);
+           });
+}
+
+void CarriedBodies::forget_old_contacts() {
+    std::erase_if(touched_, [](Touched& touched) { return touched.steps_since++ >= touch_memory; });
+}
+
+void CarriedBodies::tie(World& world) {
+    std::vector<BodyId> bodies;
+    const auto add = [&](BodyId id) {
+        const Result<BodyState> body = world.body(id);
+        if (body.ok() && body->type == BodyType::dynamic) bodies.push_back(id);
+    };
+    for (const BodyId body : attached_ids_)
+        if (!is_null(body)) add(body);
+    for (const Touched& touched : touched_) add(touched.body);
+    std::ranges::sort(bodies);
+    bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
+    // The world may refuse a tie if it has too many joints; the impulses then act after the step.
+    static_cast<void>(ties_.update(world, bodies));
+    for (const BodyId body : ties_.bodies()) static_cast<void>(world.wake(body));
+}
+
+std::uint32_t CarriedBodies::carry(const World& world, BodyId id) {
+    for (std::size_t k = 0; k < bodies_.size(); k++)
+        if (bodies_[k].id == id) return static_cast<std::uint32_t>(k);
+    const Result<BodyState> body = world.body(id);
+    if (!body.ok()) return none;
+    bodies_.push_back(carried(*body, world.gravity()));
+    return static_cast<std::uint32_t>(bodies_.size() - 1);
+}
+
+void CarriedBodies::find(const World& world, const NearbyShapes& nearby) {
+    bodies_.clear();
+    attached_.clear();
+    nearby_.clear();
+    for (const BodyId body : attached_ids_)
+        attached_.push_back(is_null(body) ? none : carry(world, body));
+    for (const NearbyShapes::Body& body : nearby.bodies()) nearby_.push_back(carry(world, body.id));
+    for (const std::uint32_t body : attached_)
+        if (body != none) bodies_[body].attached++;
+}
+
+bool CarriedBodies::touch(BodyId body) {
+    const auto found = std::ranges::lower_bound(touched_, body, {}, &Touched::body);
+    if (found != touched_.end() && found->body == body) {
+        found->steps_since = 0;
+        return false;
+    }
+    touched_.insert(found, {body, 0});
+    return true;
+}
+
+bool CarriedBodies::is_attached_to(BodyId body) const {
+    return !is_null(body) && std::ranges::find(attached_ids_, body) != attached_ids_.end();
+}
+
+bool CarriedBodies::was_touched(BodyId body) const {
+    return std::ranges::binary_search(touched_, body, {}, &Touched::body);
+}
+
+double CarriedBodies::greatest_speed() const {
+    double most = 0;
+    for (const CarriedBody& body : bodies_) most = maximum(most, length_squared(body.velocity));
+    return square_root(most);
+}
+
+void CarriedBodies::read(const SubstepContext* group) {
+    for (CarriedBody& body : bodies_) {
+        if (body.type != BodyType::dynamic) continue;
+        body.in_group = group != nullptr && group->contains(body.id);
+        if (!body.in_group) continue;
+        const MovingBody now = group->body(body.id);
+        body.center = body.start_center = now.center;
+        body.velocity = now.linear_velocity;
+        body.spin = now.angular_velocity;
+        body.rotation = now.pose.rotation;
+        body.response = group->response(body.id);
+        body.impulse = body.angular_impulse = {};
+    }
+}
+
+void CarriedBodies::write(SubstepContext* group) {
+    for (CarriedBody& body : bodies_) {
+        if (!body.in_group) continue;
+        if (body.impulse != Vec3{}) group->add_impulse(body.id, body.impulse, body.start_center);
+        if (body.angular_impulse != Vec3{})
+            group->add_angular_impulse(body.id, body.angular_impulse);
+        body.impulse = body.angular_impulse = {};
+    }
+}
+
+void CarriedBodies::place(NearbyShapes& nearby) const {
+    for (std::size_t k = 0; k < nearby_.size(); k++) {
+        if (nearby_[k] == none) continue;
+        const CarriedBody& body = bodies_[nearby_[k]];
+        if (body.type == BodyType::static_body) continue;
+        if (!body.in_group && body.velocity == Vec3{} && body.spin == Vec3{}) continue;
+        nearby.place(k, body.center, body.rotation * conjugate(nearby.bodies()[k].origin.rotation));
+    }
+}
+
+void CarriedBodies::move(double h) {
+    for (CarriedBody& body : bodies_) {
+        if (body.type == BodyType::static_body) continue;
+        body.velocity += body.response.acceleration * h;
+        body.center += body.velocity * h;
+        if (body.spin != Vec3{})
+            body.rotation = normalized(from_rotation_vector(body.spin * h) * body.rotation);
+    }
+}
+
+bool CarriedBodies::finish_step(World& world) {
+    bool rest = true;
+    for (const CarriedBody& body : bodies_) {
+        if (body.type != BodyType::dynamic) continue;
+        rest = rest && !is_moving(world, body.id);
+        if (body.in_group || (body.impulse == Vec3{} && body.angular_impulse == Vec3{})) continue;
+        const Result<BodyState> state = world.body(body.id);
+        if (!state.ok()) continue;
+        if (!state->awake && length(body.impulse) < wake_speed * state->mass) continue;
+        static_cast<void>(world.apply_impulse(body.id, body.impulse, state->center));
+        static_cast<void>(world.apply_angular_impulse(body.id, body.angular_impulse));
+    }
+    return rest;
+}
+
+bool CarriedBodies::all_asleep(const World& world) const {
+    return std::ranges::all_of(ties_.bodies(), [&](BodyId id) {
+        const Result<BodyState> body = world.body(id);
+        return !body.ok() || !body->awake;
+    });
+}
+
+void CarriedBodies::visit(StateVisitor& v) {
+    v.all("touched", touched_, [&](Touched& touched) {
+        v.field("body", touched.body);
+        v.field("steps_since", touched.steps_since);
+    });
+    v.enter("ties");
+    ties_.visit(v);
+    v.leave();
+    if (!v.loading() || v.failed()) return;
+    for (std::size_t k = 1; k < touched_.size(); k++)
+        if (!(touched_[k - 1].body < touched_[k].body))
+            return v.fail("touched", "has bodies that are not strictly increasing");
+}
+
+}  // namespace jostle::modules

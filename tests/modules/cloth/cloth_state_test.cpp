@@ -11,6 +11,7 @@
 #include "jostle/physics/instruction_set.h"
 #include "jostle/physics/restore_point.h"
 #include "jostle/physics/serialization.h"
+#include "tests/modules/module_determinism.h"
 #include "tests/support/world_builder.h"
 
 namespace jostle::modules {
@@ -76,48 +77,22 @@ World lively(int threads) {
     return world;
 }
 
+TEST(ClothState, has_work_for_all_parts) {
+    World world = lively(1);
+    test::run(world, 1.2);
+    EXPECT_LT(cloths_of(world).triangles({3}).size(), 120u);  // one tore
+}
+
 TEST(ClothState, result_is_bit_identical_for_any_thread_count) {
-    share_short_steps(true);
-    World one = lively(1);
-    test::run(one, 1.2);
-    EXPECT_LT(cloths_of(one).triangles({3}).size(), 120u);  // one tore
-    for (const int threads : {2, 3, 4, 8}) {
-        World many = lively(threads);
-        test::run(many, 1.2);
-        ASSERT_EQ(state_hash(one), state_hash(many)) << threads << " threads";
-    }
-    share_short_steps(false);
+    test::expect_same_for_threads(lively, 1.2);
 }
 
 TEST(ClothState, result_is_bit_identical_for_any_instruction_set) {
-    const InstructionSet own = instruction_set();
-    std::uint64_t first = 0;
-    for (const InstructionSet set : available_instruction_sets()) {
-        test::must(use_instruction_set(set));
-        World world = lively(2);
-        test::run(world, 0.8);
-        if (first == 0) first = state_hash(world);
-        EXPECT_EQ(state_hash(world), first) << instruction_set_name(set);
-    }
-    test::must(use_instruction_set(own));
+    test::expect_same_for_instruction_sets(lively, 0.8);
 }
 
 TEST(ClothState, continues_bit_identically_after_load_and_restore) {
-    World world = lively(1);
-    test::run(world, 0.6);
-    World loaded = test::must(load(save(world)));
-    EXPECT_EQ(first_difference(world, loaded), std::nullopt);
-    RestorePoint point;
-    point.capture(world);
-    test::run(world, 0.6);
-    test::run(loaded, 0.6);
-    EXPECT_EQ(first_difference(world, loaded), std::nullopt);
-    const std::uint64_t hash = state_hash(world);
-    EXPECT_EQ(state_hash(loaded), hash);
-    test::run(world, 0.4);
-    test::must(point.restore(world));
-    test::run(world, 0.6);
-    EXPECT_EQ(state_hash(world), hash);
+    test::expect_continues(lively, 0.6, 0.6);
 }
 
 // The same bits for every compiler, optimisation level and processor. Changes only with the solver

@@ -7,6 +7,7 @@
 
 #include "jostle/modules/character.h"
 #include "tests/modules/crowd/people.h"
+#include "tests/modules/module_determinism.h"
 #include "tests/support/random.h"
 
 namespace jostle::modules {
@@ -66,33 +67,22 @@ World lively(int threads) {
     return world;
 }
 
+TEST(CrowdState, has_work_for_all_parts) {
+    World world = lively(1);
+    test::run(world, 3);
+    EXPECT_GT(crowd_of(world).counts().panicked, 0u);
+}
+
 TEST(CrowdState, result_is_bit_identical_for_any_thread_count) {
-    World one = lively(1);
-    test::run(one, 3);
-    EXPECT_GT(crowd_of(one).counts().panicked, 0u);
-    for (const int threads : {2, 3, 4, 8}) {
-        World many = lively(threads);
-        test::run(many, 3);
-        ASSERT_EQ(state_hash(one), state_hash(many)) << threads << " threads";
-    }
+    test::expect_same_for_threads(lively, 3);
+}
+
+TEST(CrowdState, result_is_bit_identical_for_any_instruction_set) {
+    test::expect_same_for_instruction_sets(lively, 2);
 }
 
 TEST(CrowdState, continues_bit_identically_after_load_and_restore) {
-    World world = lively(1);
-    test::run(world, 2);
-    World loaded = test::must(physics::load(save(world)));
-    EXPECT_EQ(first_difference(world, loaded), std::nullopt);
-    physics::RestorePoint point;
-    point.capture(world);
-    test::run(world, 4);
-    test::run(loaded, 4);
-    EXPECT_EQ(first_difference(world, loaded), std::nullopt);
-    const std::uint64_t hash = state_hash(world);
-    EXPECT_GT(crowd_of(world).counts().left + crowd_of(world).counts().agents, 0u);
-    test::run(world, 1);
-    test::must(point.restore(world));
-    test::run(world, 4);
-    EXPECT_EQ(state_hash(world), hash);
+    test::expect_continues(lively, 2, 4);
 }
 
 TEST(CrowdState, every_change_of_an_agent_changes_the_state) {

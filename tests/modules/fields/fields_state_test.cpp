@@ -9,6 +9,7 @@
 
 #include "jostle/physics/compound.h"
 #include "tests/modules/fields/with_fields.h"
+#include "tests/modules/module_determinism.h"
 #include "tests/support/random.h"
 
 namespace jostle::modules {
@@ -47,13 +48,11 @@ World lively(int threads) {
 }
 
 TEST(FieldsState, result_is_bit_identical_for_any_thread_count) {
-    World one = lively(1);
-    test::run(one, 0.8);
-    for (const int threads : {2, 3, 4, 8}) {
-        World many = lively(threads);
-        test::run(many, 0.8);
-        ASSERT_EQ(state_hash(one), state_hash(many)) << threads << " threads";
-    }
+    test::expect_same_for_threads(lively, 0.8);
+}
+
+TEST(FieldsState, result_is_bit_identical_for_any_instruction_set) {
+    test::expect_same_for_instruction_sets(lively, 0.8);
 }
 
 TEST(FieldsState, continues_bit_identically_after_load_and_restore) {

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include "jostle/physics/instruction_set.h"
+#include "tests/modules/module_determinism.h"
 #include "tests/modules/particles/with_particles.h"
 #include "tests/support/random.h"
 
@@ -71,50 +72,22 @@ World lively(int threads) {
     return world;
 }
 
+TEST(ParticlesState, has_work_for_all_parts) {
+    World world = lively(1);
+    test::run(world, 1.2);
+    EXPECT_GT(particles_of(world).group(particles_of(world).groups()[0])->size(), 900u);
+}
+
 TEST(ParticlesState, result_is_bit_identical_for_any_thread_count) {
-    World one = lively(1);
-    test::run(one, 1.2);
-    EXPECT_GT(particles_of(one).group(particles_of(one).groups()[0])->size(), 900u);
-    for (const int threads : {2, 3, 4, 8}) {
-        World many = lively(threads);
-        test::run(many, 1.2);
-        ASSERT_EQ(state_hash(one), state_hash(many)) << threads << " threads";
-    }
+    test::expect_same_for_threads(lively, 1.2);
 }
 
 TEST(ParticlesState, result_is_bit_identical_for_any_instruction_set) {
-    const InstructionSet own = instruction_set();
-    std::uint64_t first = 0;
-    for (const InstructionSet set : available_instruction_sets()) {
-        test::must(use_instruction_set(set));
-        World world = lively(2);
-        test::run(world, 0.8);
-        if (first == 0) first = state_hash(world);
-        EXPECT_EQ(state_hash(world), first) << instruction_set_name(set);
-    }
-    test::must(use_instruction_set(own));
+    test::expect_same_for_instruction_sets(lively, 0.8);
 }
 
 TEST(ParticlesState, continues_bit_identically_after_load_and_restore) {
-    World world = lively(1);
-    test::run(world, 0.5);
-    World loaded = test::must(load(save(world)));
-    EXPECT_EQ(first_difference(world, loaded), std::nullopt);
-    RestorePoint point;
-    point.capture(world);
-    test::run(world, 0.7);
-    test::run(loaded, 0.7);
-    EXPECT_EQ(first_difference(world, loaded), std::nullopt);
-    const std::uint64_t hash = state_hash(world);
-    EXPECT_EQ(state_hash(loaded), hash);
-    test::run(world, 0.4);
-    test::must(point.restore(world));
-    test::run(world, 0.7);
-    EXPECT_EQ(state_hash(world), hash);
-    World other = test::make_world();
-    test::must(point.restore(other));
-    test::run(other, 0.7);
-    EXPECT_EQ(state_hash(other), hash);
+    test::expect_continues(lively, 0.5, 0.7);
 }
 
 TEST(ParticlesState, every_number_is_part_of_the_state) {

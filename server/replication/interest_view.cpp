@@ -47,7 +47,7 @@ bool InterestView::point_bucket_is_full() const {
 void InterestView::spend_points(std::size_t bytes) {
     tokens_ -= static_cast<double>(bytes);
     point_tokens_ -= static_cast<double>(bytes);
-    // What cells did not need is no debt.
+    // Points may use all bytes that cells do not need.
     if (!cells_wait_) point_tokens_ = std::max(0.0, point_tokens_);
 }
 

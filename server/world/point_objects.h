@@ -67,7 +67,7 @@ public:
     // Adds an object. Returns why clients do not receive it, if a limit or a rule is violated.
     Status add(const physics::World& world, std::uint32_t kind, EntityId entity,
                const physics::PointObject& object);
-    // Completes the objects of the tick; objects that were neither kept nor added have ended.
+    // Completes the objects of the tick. All others have ended.
     void end();
     // Never null.
     const std::shared_ptr<const PointObjects>& objects() const { return objects_; }

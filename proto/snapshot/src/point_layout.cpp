@@ -114,34 +114,34 @@ VertexGraph graph_of(const PointLayout& layout) {
 // number of neighbours.
 constexpr std::size_t coarse_neighbours_max = 12;
 
-// One step of coarsening: `kept` has a maximal independent set of `vertices`; each other vertex has
-// at least one neighbour in it.
+// One step of coarsening. The coarse vertices are a maximal independent set: each fine vertex has
+// at least one coarse neighbour.
 struct Coarsening {
-    std::vector<std::uint32_t> kept, dropped;
-    std::vector<bool> is_kept;  // by vertex
+    std::vector<std::uint32_t> coarse, fine;
+    std::vector<bool> is_coarse;  // by vertex
 };
 
 Coarsening coarsen(const VertexGraph& graph, const std::vector<std::uint32_t>& vertices,
                    std::size_t all) {
-    Coarsening made{.kept = {}, .dropped = {}, .is_kept = std::vector<bool>(all)};
+    Coarsening made{.coarse = {}, .fine = {}, .is_coarse = std::vector<bool>(all)};
     for (const std::uint32_t vertex : vertices) {
         const auto near = graph.next_to(vertex);
         const bool covered =
-            std::ranges::any_of(near, [&](std::uint32_t n) { return made.is_kept[n]; });
-        (covered ? made.dropped : made.kept).push_back(vertex);
-        if (!covered) made.is_kept[vertex] = true;
+            std::ranges::any_of(near, [&](std::uint32_t n) { return made.is_coarse[n]; });
+        (covered ? made.fine : made.coarse).push_back(vertex);
+        if (!covered) made.is_coarse[vertex] = true;
     }
     return made;
 }
 
-// Connects kept vertices that have a dropped neighbour in common.
+// Connects coarse vertices that have a fine neighbour in common.
 VertexGraph coarse_graph(const VertexGraph& graph, const Coarsening& step, std::size_t all) {
     std::vector<std::pair<std::uint32_t, std::uint32_t>> edges;
     std::vector<std::uint32_t> near;
-    for (const std::uint32_t vertex : step.dropped) {
+    for (const std::uint32_t vertex : step.fine) {
         near.clear();
         for (const std::uint32_t n : graph.next_to(vertex))
-            if (step.is_kept[n] && near.size() < coarse_neighbours_max) near.push_back(n);
+            if (step.is_coarse[n] && near.size() < coarse_neighbours_max) near.push_back(n);
         for (const std::uint32_t a : near)
             for (const std::uint32_t b : near)
                 if (a != b) edges.emplace_back(a, b);
@@ -150,10 +150,10 @@ VertexGraph coarse_graph(const VertexGraph& graph, const Coarsening& step, std::
 }
 
 PointPredictor mean_of(std::uint32_t vertex, std::span<const std::uint32_t> near,
-                       const std::vector<bool>& is_kept) {
+                       const std::vector<bool>& is_coarse) {
     PointPredictor made{.point = vertex};
     for (const std::uint32_t n : near)
-        if (is_kept[n] && made.sources < PointPredictor::sources_max) made.add(n, 0);
+        if (is_coarse[n] && made.sources < PointPredictor::sources_max) made.add(n, 0);
     const auto count = static_cast<std::int32_t>(made.sources);
     for (std::uint32_t k = 0; k < made.sources; k++)
         made.weight[k] = 16 / count + (k == 0 ? 16 % count : 0);
@@ -258,10 +258,10 @@ void PointOrder::add_triangles(const PointLayout& layout) {
     std::array<std::vector<PointPredictor>, point_levels> levels;
     for (std::size_t level = point_levels - 1; level > 0; level--) {
         Coarsening step = coarsen(graph, vertices, all);
-        for (const std::uint32_t vertex : step.dropped)
-            levels[level].push_back(mean_of(vertex, graph.next_to(vertex), step.is_kept));
+        for (const std::uint32_t vertex : step.fine)
+            levels[level].push_back(mean_of(vertex, graph.next_to(vertex), step.is_coarse));
         graph = coarse_graph(graph, step, all);
-        vertices = std::move(step.kept);
+        vertices = std::move(step.coarse);
     }
     std::vector<bool> coded(all);
     for (const std::uint32_t vertex : vertices) {

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "jostle/snapshot/frame_codec.h"
+
 namespace jostle::load {
 
 using namespace std::chrono_literals;
@@ -203,6 +205,8 @@ std::optional<std::string_view> PassiveClientProtocol::take_message(Clock::time_
         hello.set_token(options_.token);
         hello.set_spectator(options_.spectator);
         hello.set_max_kbps(options_.max_kbps);
+        // As the clients of players: the server's cost and bytes depend on it.
+        hello.set_codec(static_cast<std::uint32_t>(snapshot::newest_codec));
         if (options_.interest) {
             hello.mutable_interest()->mutable_focus()->set_x(options_.interest->x);
             hello.mutable_interest()->mutable_focus()->set_z(options_.interest->z);

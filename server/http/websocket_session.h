@@ -25,7 +25,8 @@ class WebSocketSession : public std::enable_shared_from_this<WebSocketSession> {
 public:
     using Request = boost::beast::http::request<boost::beast::http::string_body>;
 
-    WebSocketSession(PlayContext& context, SocketStream stream, std::size_t message_bytes_max);
+    WebSocketSession(PlayContext& context, SocketStream stream, SocketPeer peer,
+                     std::size_t message_bytes_max);
 
     // Responds to the upgrade and starts the session.
     void start(const Request& upgrade);
@@ -33,7 +34,7 @@ public:
     void advance(Clock::time_point now);
     // Closes the socket at once: the server stops, or the client does not complete the close.
     void abort();
-    const std::string& address() const { return address_; }
+    const std::string& address() const { return peer_.address; }
 
 private:
     void on_accepted(boost::beast::error_code error);
@@ -49,7 +50,7 @@ private:
     // can wait for each other forever; destroying the stream releases the operations that hold this
     // session. Operations of the TCP socket refer to the stream, so they must complete before.
     std::optional<boost::beast::websocket::stream<SocketStream>> socket_;
-    std::string peer_, address_;
+    const SocketPeer peer_;
     std::optional<ClientSession> session_;
     boost::beast::flat_buffer incoming_;
     OutMessage outgoing_;

@@ -167,7 +167,7 @@ TEST_F(HttpServerTest, reads_a_proxy_header_before_the_first_request) {
 TEST_F(HttpServerTest, limits_the_clients_of_a_proxy_by_their_own_addresses) {
     const AddressHandler handler;
     const TrustedProxies proxies = TrustedProxies::create({"127.0.0.1"}, {}).value();
-    HttpServer server(context, handler, {.port = 0, .per_address_max = 2, .proxies = &proxies});
+    HttpServer server(context, handler, {.port = 0, .proxies = &proxies, .per_address_max = 2});
     ASSERT_TRUE(server.start().ok());
     namespace asio = boost::asio;
     asio::io_context io;

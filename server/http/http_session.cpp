@@ -147,7 +147,9 @@ void HttpSession::read(std::chrono::seconds timeout) {
 void HttpSession::parse_header() {
     const asio::const_buffer received = buffer_.cdata();
     const FirstBytes protocol =
-        protocol_of({static_cast<const std::uint8_t*>(received.data()), received.size()});
+        stream_.tls()
+            ? FirstBytes::unknown
+            : protocol_of({static_cast<const std::uint8_t*>(received.data()), received.size()});
     if (protocol == FirstBytes::tls)
         return reply_to_wrong_protocol(protocol, "This port has no TLS: use http:// or ws://.");
     if (protocol == FirstBytes::http2)

@@ -41,8 +41,9 @@ void PlayStream::begin(PlayContext& context, const ConnectionTable& connections,
     metrics_ = context.rpc_metrics;
     session_ = std::make_unique<ClientSession>(
         context,
-        Peer{.name = connection_->is_proxy ? "grpc:" + address + " via " + connection_->peer
-                                           : "grpc:" + connection_->peer,
+        Peer{.name =
+                 "grpc:" + (address == connection_->address ? std::string() : address + " via ") +
+                 connection_->peer,
              .address = address,
              .call = "jostle.v1.PlayService/Play",
              .who = identify(context_, *connection_, address, context.authorizer),

@@ -115,7 +115,8 @@ def measure_colyseus(clients, seconds, _programs):
 def measure_jostle(clients, seconds, programs, websocket):
     grpc, web = free_port(), free_port()
     server = [programs / "jostle-server", "--scene", HERE / "balls.json", "--listen", f"127.0.0.1:{grpc}", "--http",
-              f"127.0.0.1:{web}", "--admin", ""]
+              f"127.0.0.1:{web}", "--admin", "", "--set", "world.clients_per_address_max=1000", "--set",
+              "connection.per_address_max=1000"]
     with tempfile.TemporaryDirectory() as folder, running(server, stdout=subprocess.DEVNULL, stderr=subprocess.DEVNULL) as process:
         wait_for_port(web)
         report = pathlib.Path(folder) / "report.json"

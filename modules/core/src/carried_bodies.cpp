@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "jostle/modules/settings.h"
 #include "jostle/physics/scalar.h"
 
 namespace jostle::modules {
@@ -16,6 +17,7 @@ namespace {
 constexpr std::uint32_t touch_memory = 10;
 // A sleeping body wakes if an impulse would move it faster than this, m/s.
 constexpr double wake_speed = 0.02;
+constexpr double impulse_max = 1e12;  // N s and N m s, of loaded states
 
 // Of a body outside of the group; inside, SubstepContext::response() is exact.
 BodyResponse response_of(const BodyState& body, Vec3 gravity) {
@@ -133,6 +135,13 @@ void CarriedBodies::find(const World& world, const NearbyShapes& nearby) {
     for (const NearbyShapes::Body& body : nearby.bodies()) nearby_.push_back(carry(world, body.id));
     for (const std::uint32_t body : attached_)
         if (body != none) bodies_[body].attached++;
+    pushes_as_before_ = false;
+    for (CarriedBody& body : bodies_) {
+        const auto push = std::ranges::lower_bound(last_pushes_, body.id, {}, &LastPush::body);
+        if (push == last_pushes_.end() || push->body != body.id) continue;
+        body.last = push->impulse;
+        body.last_angular = push->angular_impulse;
+    }
 }
 
 bool CarriedBodies::touch(BodyId body) {
@@ -159,6 +168,26 @@ double CarriedBodies::greatest_speed() const {
     return square_root(most);
 }
 
+namespace {
+
+void push(SubstepContext& group, const CarriedBody& body, Vec3 impulse, Vec3 angular_impulse,
+          Vec3 center) {
+    if (impulse != Vec3{}) group.add_impulse(body.id, impulse, center);
+    if (angular_impulse != Vec3{}) group.add_angular_impulse(body.id, angular_impulse);
+}
+
+}  // namespace
+
+void CarriedBodies::push_as_before(SubstepContext& group) {
+    pushes_as_before_ = true;
+    for (CarriedBody& body : bodies_) {
+        if (body.type != BodyType::dynamic || !group.contains(body.id)) continue;
+        body.expected = body.last;
+        body.expected_angular = body.last_angular;
+        push(group, body, body.expected, body.expected_angular, group.body(body.id).center);
+    }
+}
+
 void CarriedBodies::read(const SubstepContext* group) {
     for (CarriedBody& body : bodies_) {
         if (body.type != BodyType::dynamic) continue;
@@ -166,10 +195,10 @@ void CarriedBodies::read(const SubstepContext* group) {
         if (!body.in_group) continue;
         const MovingBody now = group->body(body.id);
         body.center = body.start_center = now.center;
-        body.velocity = now.linear_velocity;
-        body.spin = now.angular_velocity;
         body.rotation = now.pose.rotation;
         body.response = group->response(body.id);
+        body.velocity = now.linear_velocity - scaled(body.expected, body.response.inverse_mass);
+        body.spin = now.angular_velocity - body.response.inverse_inertia * body.expected_angular;
         body.impulse = body.angular_impulse = {};
     }
 }
@@ -177,10 +206,11 @@ void CarriedBodies::read(const SubstepContext* group) {
 void CarriedBodies::write(SubstepContext* group) {
     for (CarriedBody& body : bodies_) {
         if (!body.in_group) continue;
-        if (body.impulse != Vec3{}) group->add_impulse(body.id, body.impulse, body.start_center);
-        if (body.angular_impulse != Vec3{})
-            group->add_angular_impulse(body.id, body.angular_impulse);
-        body.impulse = body.angular_impulse = {};
+        push(*group, body, body.impulse - body.expected,
+             body.angular_impulse - body.expected_angular, body.start_center);
+        body.last = std::exchange(body.impulse, {});
+        body.last_angular = std::exchange(body.angular_impulse, {});
+        body.expected = body.expected_angular = {};
     }
 }
 
@@ -205,6 +235,12 @@ void CarriedBodies::move(double h) {
 }
 
 bool CarriedBodies::finish_step(World& world) {
+    last_pushes_.clear();
+    if (pushes_as_before_)
+        for (const CarriedBody& body : bodies_)
+            if (body.in_group && (body.last != Vec3{} || body.last_angular != Vec3{}))
+                last_pushes_.push_back({body.id, body.last, body.last_angular});
+    std::ranges::sort(last_pushes_, {}, &LastPush::body);
     bool rest = true;
     for (const CarriedBody& body : bodies_) {
         if (body.type != BodyType::dynamic) continue;
@@ -231,6 +267,11 @@ void CarriedBodies::visit(StateVisitor& v) {
         v.field("body", touched.body);
         v.field("steps_since", touched.steps_since);
     });
+    v.all("last_pushes", last_pushes_, [&](LastPush& push) {
+        v.field("body", push.body);
+        bounded(v, "impulse", push.impulse, impulse_max);
+        bounded(v, "angular_impulse", push.angular_impulse, impulse_max);
+    });
     v.enter("ties");
     ties_.visit(v);
     v.leave();
@@ -238,6 +279,9 @@ void CarriedBodies::visit(StateVisitor& v) {
     for (std::size_t k = 1; k < touched_.size(); k++)
         if (!(touched_[k - 1].body < touched_[k].body))
             return v.fail("touched", "has bodies that are not strictly increasing");
+    for (std::size_t k = 1; k < last_pushes_.size(); k++)
+        if (!(last_pushes_[k - 1].body < last_pushes_[k].body))
+            return v.fail("last_pushes", "has bodies that are not strictly increasing");
 }
 
 }  // namespace jostle::modules

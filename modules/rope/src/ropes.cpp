@@ -343,6 +343,9 @@ void Ropes::before_substep(SubstepContext& substep) {
                                        fields_, &substep};
     for (const auto& rope : ropes_)
         if (rope->awake && rope->bodies.ties().owned_by(substep))
+            rope->bodies.push_as_before(substep);
+    for (const auto& rope : ropes_)
+        if (rope->awake && rope->bodies.ties().owned_by(substep))
             rope_detail::advance(*rope, own, substep.count());
 }
 

@@ -28,8 +28,10 @@ struct CarriedBody {
     physics::Quat rotation = {};
     physics::Transform origin = {};  ///< of the body relative to its centre, body axes
     physics::BodyResponse response = {};
-    physics::Vec3 impulse = {}, angular_impulse = {};  ///< N s, N m s: of this sub-step
-    std::uint32_t attached = 0, touching = 0;          ///< places that share its mass
+    physics::Vec3 impulse = {}, angular_impulse = {};    ///< N s, N m s: of this sub-step
+    physics::Vec3 last = {}, last_angular = {};          ///< of the last sub-step
+    physics::Vec3 expected = {}, expected_angular = {};  ///< that it got by push_as_before()
+    std::uint32_t attached = 0, touching = 0;            ///< places that share its mass
 
     /// Whether impulses change its motion.
     bool is_pushed() const;
@@ -85,6 +87,10 @@ public:
     double greatest_speed() const;
 
     // --- in a sub-step ---
+    /// Gives the bodies of a group the impulses of the last sub-step, which write() replaces.
+    /// Deformables that share bodies call it before the first of them reads: each then carries its
+    /// part of a body instead of the whole body.
+    void push_as_before(physics::SubstepContext& group);
     /// Reads the motion of the bodies of a group, and applies the impulses to them. Null: no group.
     void read(const physics::SubstepContext* group);
     void write(physics::SubstepContext* group);
@@ -109,15 +115,22 @@ private:
         physics::BodyId body = {};
         std::uint32_t steps_since = 0;
     };
+    // The impulses of the last sub-step on a body, for push_as_before().
+    struct LastPush {
+        physics::BodyId body = {};
+        physics::Vec3 impulse = {}, angular_impulse = {};  // N s, N m s about the centre
+    };
     std::uint32_t carry(const physics::World& world, physics::BodyId id);
 
-    std::vector<Touched> touched_;  // sorted by body
+    std::vector<Touched> touched_;       // sorted by body
+    std::vector<LastPush> last_pushes_;  // sorted by body; empty without push_as_before()
     IslandTies ties_;
 
     std::vector<physics::BodyId> attached_ids_;  // per attachment
     std::vector<CarriedBody> bodies_;            // first those of the attachments
     std::vector<std::uint32_t> attached_;        // per attachment: index in bodies_, or none
     std::vector<std::uint32_t> nearby_;          // per nearby body
+    bool pushes_as_before_ = false;              // in this step
 };
 
 }  // namespace jostle::modules

@@ -45,6 +45,16 @@ CarriedBody carried(const BodyState& body, Vec3 gravity) {
     return c;
 }
 
+CarriedBody carried(const PointGrab& grab) {
+    CarriedBody c;
+    c.holder = grab.holder;
+    c.center = c.start_center = grab.position;
+    c.velocity = grab.velocity;
+    const double response = 1 / grab.mass;
+    c.response.inverse_mass = {response, response, response};
+    return c;
+}
+
 bool is_moving(const World& world, BodyId id) {
     const Result<BodyState> body = world.body(id);
     if (!body.ok() || (!body->awake && body->type != BodyType::kinematic)) return false;
@@ -83,18 +93,20 @@ void CarriedBody::push_both(Vec3 linear, Vec3 angular) {
     spin += response.inverse_inertia * angular;
 }
 
-void CarriedBodies::begin_step(const World& world, std::vector<BodyId> attached) {
-    attached_ids_ = std::move(attached);
+void CarriedBodies::begin_step(const World& world, std::vector<Support> supports) {
+    supports_ = std::move(supports);
     std::erase_if(touched_, [&](const Touched& touched) { return !world.contains(touched.body); });
+    std::erase_if(grabs_, [&](const PointGrab& grab) {
+        return std::ranges::find(supports_, grab.holder, &Support::holder) == supports_.end();
+    });
 }
 
 bool CarriedBodies::any_moves(const World& world, const NearbyShapes& nearby) const {
-    return std::ranges::any_of(
-               attached_ids_,
-               [&](BodyId body) { return !is_null(body) && is_moving(world, body); }) ||
-           std::ranges::any_of(nearby.bodies(), [&](const NearbyShapes::Body& body) {
-               return body.type != BodyType::static_body && is_moving(world, body.id);
-           });
+    return !grabs_.empty() || std::ranges::any_of(supports_, [&](const Support& support) {
+        return !is_null(support.body) && is_moving(world, support.body);
+    }) || std::ranges::any_of(nearby.bodies(), [&](const NearbyShapes::Body& body) {
+        return body.type != BodyType::static_body && is_moving(world, body.id);
+    });
 }
 
 void CarriedBodies::forget_old_contacts() {
@@ -107,8 +119,8 @@ void CarriedBodies::tie(World& world) {
         const Result<BodyState> body = world.body(id);
         if (body.ok() && body->type == BodyType::dynamic) bodies.push_back(id);
     };
-    for (const BodyId body : attached_ids_)
-        if (!is_null(body)) add(body);
+    for (const Support& support : supports_)
+        if (!is_null(support.body)) add(support.body);
     for (const Touched& touched : touched_) add(touched.body);
     std::ranges::sort(bodies);
     bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
@@ -130,8 +142,14 @@ void CarriedBodies::find(const World& world, const NearbyShapes& nearby) {
     bodies_.clear();
     attached_.clear();
     nearby_.clear();
-    for (const BodyId body : attached_ids_)
-        attached_.push_back(is_null(body) ? none : carry(world, body));
+    for (const Support& support : supports_) {
+        if (const PointGrab* held = support.holder == 0 ? nullptr : grab(support.holder)) {
+            attached_.push_back(static_cast<std::uint32_t>(bodies_.size()));
+            bodies_.push_back(carried(*held));
+        } else {
+            attached_.push_back(is_null(support.body) ? none : carry(world, support.body));
+        }
+    }
     for (const NearbyShapes::Body& body : nearby.bodies()) nearby_.push_back(carry(world, body.id));
     for (const std::uint32_t body : attached_)
         if (body != none) bodies_[body].attached++;
@@ -155,7 +173,7 @@ bool CarriedBodies::touch(BodyId body) {
 }
 
 bool CarriedBodies::is_attached_to(BodyId body) const {
-    return !is_null(body) && std::ranges::find(attached_ids_, body) != attached_ids_.end();
+    return !is_null(body) && std::ranges::find(supports_, body, &Support::body) != supports_.end();
 }
 
 bool CarriedBodies::was_touched(BodyId body) const {
@@ -214,6 +232,16 @@ void CarriedBodies::write(SubstepContext* group) {
     }
 }
 
+void CarriedBodies::pull_grabs(double h) {
+    for (CarriedBody& body : bodies_) {
+        if (body.holder == 0) continue;
+        PointGrab now = *grab(body.holder);
+        now.position = body.center;
+        now.velocity = body.velocity;
+        body.response.acceleration = now.pull(h);
+    }
+}
+
 void CarriedBodies::place(NearbyShapes& nearby) const {
     for (std::size_t k = 0; k < nearby_.size(); k++) {
         if (nearby_[k] == none) continue;
@@ -244,6 +272,13 @@ bool CarriedBodies::finish_step(World& world) {
     bool rest = true;
     for (const CarriedBody& body : bodies_) {
         if (body.type != BodyType::dynamic) continue;
+        if (body.holder != 0) {
+            PointGrab& held = *grab(body.holder);
+            held.position = body.center;
+            held.velocity = body.velocity;
+            rest = false;
+            continue;
+        }
         rest = rest && !is_moving(world, body.id);
         if (body.in_group || (body.impulse == Vec3{} && body.angular_impulse == Vec3{})) continue;
         const Result<BodyState> state = world.body(body.id);
@@ -262,6 +297,26 @@ bool CarriedBodies::all_asleep(const World& world) const {
     });
 }
 
+bool CarriedBodies::has_grabs_of(std::span<const Support> supports) {
+    return std::ranges::all_of(supports, [&](const Support& support) {
+        return support.holder == 0 || grab(support.holder) != nullptr;
+    });
+}
+
+PointGrab* CarriedBodies::grab(std::uint32_t holder) {
+    const auto found = std::ranges::lower_bound(grabs_, holder, {}, &PointGrab::holder);
+    return found != grabs_.end() && found->holder == holder ? &*found : nullptr;
+}
+
+void CarriedBodies::add_grab(const PointGrab& added) {
+    remove_grab(added.holder);
+    grabs_.insert(std::ranges::lower_bound(grabs_, added.holder, {}, &PointGrab::holder), added);
+}
+
+void CarriedBodies::remove_grab(std::uint32_t holder) {
+    std::erase_if(grabs_, [&](const PointGrab& each) { return each.holder == holder; });
+}
+
 void CarriedBodies::visit(StateVisitor& v) {
     v.all("touched", touched_, [&](Touched& touched) {
         v.field("body", touched.body);
@@ -275,7 +330,11 @@ void CarriedBodies::visit(StateVisitor& v) {
     v.enter("ties");
     ties_.visit(v);
     v.leave();
+    v.all("grabs", grabs_, [&](PointGrab& grab) { grab.visit(v); });
     if (!v.loading() || v.failed()) return;
+    for (std::size_t k = 1; k < grabs_.size(); k++)
+        if (grabs_[k].holder <= grabs_[k - 1].holder)
+            return v.fail("grabs", "have holders that are not strictly increasing");
     for (std::size_t k = 1; k < touched_.size(); k++)
         if (!(touched_[k - 1].body < touched_[k].body))
             return v.fail("touched", "has bodies that are not strictly increasing");

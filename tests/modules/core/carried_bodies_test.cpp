@@ -40,7 +40,7 @@ TEST(CarriedBodies, give_the_body_exactly_the_impulses) {
     Pusher pusher;
     pusher.impulse = {1, 0, 0};
     pusher.point = {0, 0.5, 0};
-    pusher.bodies.begin_step(world, {cube});
+    pusher.bodies.begin_step(world, {Support{cube}});
     pusher.bodies.tie(world);
     pusher.bodies.find(world, pusher.nearby);
     must(world.add_listener(pusher));
@@ -59,7 +59,7 @@ TEST(CarriedBodies, follow_pushes_within_a_sub_step) {
     const BodyId cube = add(world, {.position = {0, 5, 0}, .velocity = {2, 0, 0}});
     CarriedBodies bodies;
     NearbyShapes nearby;
-    bodies.begin_step(world, {cube, {}});
+    bodies.begin_step(world, {Support{cube}, Support{}});
     bodies.find(world, nearby);
     ASSERT_EQ(bodies.all().size(), 1u);
     EXPECT_EQ(bodies.attached(1), nullptr) << "the world";
@@ -83,7 +83,7 @@ TEST(CarriedBodies, wake_sleeping_bodies_by_large_impulses_only) {
         ASSERT_FALSE(world.body(cube)->awake);
         CarriedBodies bodies;
         NearbyShapes nearby;
-        bodies.begin_step(world, {cube});
+        bodies.begin_step(world, {Support{cube}});
         bodies.find(world, nearby);
         EXPECT_FALSE(bodies.attached(0)->is_pushed()) << "it sleeps";
         bodies.attached(0)->push({impulse, 0, 0}, {});

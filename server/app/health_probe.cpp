@@ -181,11 +181,12 @@ Result<HealthTarget> health_target(const Config& config) {
     for (const auto& [port, address] : {std::pair("grpc", *grpc), std::pair("http", *http)})
         if (std::ranges::find(config.proxy_protocol, port) != config.proxy_protocol.end() &&
             proxies->contains(address.host))
-            return Error{ErrorCode::failed_precondition,
-                         fmt::format("proxy_protocol: connections from {} to the {} port must begin "
-                                     "with a PROXY header, which this probe does not send; query "
-                                     "/healthz of the admin port instead",
-                                     address.host, port)};
+            return Error{
+                ErrorCode::failed_precondition,
+                fmt::format("proxy_protocol: connections from {} to the {} port must begin "
+                            "with a PROXY header, which this probe does not send; query "
+                            "/healthz of the admin port instead",
+                            address.host, port)};
     HealthTarget target{.grpc = *grpc, .http = *http};
     if (config.tls.certificate.empty()) return target;
     std::ifstream file(config.tls.certificate, std::ios::binary);

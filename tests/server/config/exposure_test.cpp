@@ -118,7 +118,7 @@ TEST(Config, rejects_contradictory_access_settings) {
         "allowed_origins: \"play.example.org\" is not an origin; write scheme and host without "
         "a path, such as https://play.example.org");
     EXPECT_EQ(fault_of([](Config& c) { c.trusted_proxies = {"10.0.0.1/8"}; }).substr(0, 60),
-              "trusted_proxies: \"10.0.0.1/8\" is not a network: the addres");
+              "trusted_proxies: \"10.0.0.1/8\" is not a network: the address ");
     EXPECT_EQ(fault_of([](Config& c) { c.forwarded_header = "x-real-ip"; }),
               "forwarded_header is \"x-real-ip\"; it must be x-forwarded-for or forwarded");
     EXPECT_EQ(fault_of([](Config& c) {

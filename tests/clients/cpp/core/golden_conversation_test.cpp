@@ -4,6 +4,7 @@
 // snapshot.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cstring>
 #include <fstream>
 #include <iterator>
@@ -72,6 +73,7 @@ TEST(GoldenConversation, leads_to_the_states_entities_and_results_of_conversatio
         EXPECT_EQ(snapshots[k]["frame"], expected["snapshots"][k]["frame"]);
         EXPECT_EQ(snapshots[k]["entities"], expected["snapshots"][k]["entities"]) << k;
     }
+    std::sort(results.begin(), results.end());  // by sequence
     EXPECT_EQ(results, expected.at("results"));
     auto known = nlohmann::json::array();
     for (const auto& [id, entity] : view.entities()) known.push_back(id);

@@ -13,21 +13,6 @@ namespace {
 // client reads.
 constexpr std::string_view tls_alert("\x15\x03\x01\0\x02\x02\x28", 7);
 
-void put(std::string& out, std::size_t value, unsigned bytes) {
-    for (unsigned k = bytes; k-- > 0;) out.push_back(static_cast<char>(value >> (8 * k)));
-}
-
-// An empty SETTINGS frame, which must come first, then GOAWAY (RFC 9113, 6.5 and 6.8).
-std::string goaway(std::string_view hint) {
-    constexpr std::size_t protocol_error = 1;
-    std::string frames("\0\0\0\x04\0\0\0\0\0", 9);
-    put(frames, 8 + hint.size(), 3);
-    frames += '\x07';
-    frames.append(1 + 4 + 4, '\0');  // flags, stream, last stream
-    put(frames, protocol_error, 4);
-    return frames += hint;
-}
-
 }  // namespace
 
 FirstBytes protocol_of(std::span<const std::uint8_t> first_bytes) {
@@ -47,12 +32,11 @@ std::string wrong_protocol_reply(FirstBytes protocol, std::string_view hint) {
         case FirstBytes::tls:
             return std::string(tls_alert);
         case FirstBytes::http1:
+        case FirstBytes::http2:
             return fmt::format(
                 "HTTP/1.1 400 Bad Request\r\nContent-Type: text/plain; charset=utf-8\r\n"
                 "Content-Length: {}\r\nConnection: close\r\n\r\n{}\n",
                 hint.size() + 1, hint);
-        case FirstBytes::http2:
-            return goaway(hint);
         case FirstBytes::unknown:
             break;
     }

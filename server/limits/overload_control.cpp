@@ -16,9 +16,10 @@ constexpr int sent_min = 4;
 // Every tenth tick: the next classes would not be worth much, and would recover slowly.
 constexpr int level_max = 6;
 static_assert(Cadence::divisors[level_max] == 10);
-// A snapshot is late after this share of its interval, and one in ten may be: a single stall of the
-// machine delays fewer.
-constexpr double late_after = 0.8, late_share_max = 0.1;
+// A snapshot is late after this share of its interval, and this share may be late. A stall of the
+// machine does not last for two periods.
+constexpr double late_after = 0.8, late_share_max = 0.15;
+constexpr int late_periods = 2;
 // The next faster class must leave more room, so that the level does not alternate.
 constexpr double late_for_faster_after = 0.6, late_for_faster_share_max = 0.05;
 // After a change, snapshots that were delayed before it are not counted.
@@ -42,12 +43,15 @@ void OverloadControl::evaluate(Clock::time_point now) {
     const Period period = period_;
     period_ = {.begun = now};
     send_delay_s_ = std::max(period.delay_s, send_delay_s_ / 2);
-    if (period.late > late_share_max * period.sent && level_ < level_max)
+    const bool is_late = period.late > late_share_max * period.sent;
+    late_periods_ = is_late ? late_periods_ + 1 : 0;
+    if (late_periods_ >= late_periods && level_ < level_max)
         level_++;
     else if (level_ > 0 && period.late_for_faster < late_for_faster_share_max * period.sent)
         level_--;
     else
         return;
+    late_periods_ = 0;
     period_.begun = now + settling;
 }
 

@@ -38,6 +38,7 @@ private:
 
     Period period_;
     int level_ = 0;
+    int late_periods_ = 0;  // successive ones
     double send_delay_s_ = 0;
 };
 

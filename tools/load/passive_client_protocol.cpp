@@ -16,6 +16,8 @@ constexpr int initial_pings = 3;  // at short intervals, for a quick clock estim
 constexpr auto initial_ping_period = 100ms;
 constexpr auto ping_period = 5s;
 constexpr auto render_period = 16'667us;
+// The client library extrapolates for this time beyond the newest snapshot, then it holds.
+constexpr std::int64_t extrapolation_max_us = 50'000;
 constexpr std::int64_t jump_us = 500'000;  // the rendered time jumped
 // Maximum delay of an acknowledgement if the server does not request another one.
 constexpr auto default_ack_delay = 150ms;
@@ -119,7 +121,8 @@ void PassiveClientProtocol::render(Clock::time_point now) {
     const std::int64_t shown_us =
         render_clock_.advance(static_cast<std::int64_t>(client::to_us(now)));
     metrics_.rendered++;
-    metrics_.frozen += shown_us > newest_due_us_ || shown_us - before_us > jump_us ? 1 : 0;
+    const bool is_held = shown_us > newest_due_us_ + extrapolation_max_us;
+    metrics_.frozen += is_held || shown_us - before_us > jump_us ? 1 : 0;
 }
 
 // See WorldView::times_of(). `late` is zig-zag encoded: 0, -1, 1, -2, ...

@@ -32,6 +32,8 @@ TEST(OverloadControl, rises_while_snapshots_are_late) {
     send_for(overload, now_s, 1, 0.012);
     EXPECT_EQ(overload.level(), 0);
     send_for(overload, now_s, 0.3, 0.015);
+    EXPECT_EQ(overload.level(), 0) << "one period";
+    send_for(overload, now_s, 0.3, 0.015);
     EXPECT_EQ(overload.level(), 1);
     send_for(overload, now_s, 10, 0.015);
     EXPECT_EQ(overload.level(), 6) << "the slowest level";

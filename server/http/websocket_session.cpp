@@ -65,9 +65,9 @@ std::string peer_name(beast::tcp_stream& stream) {
 
 }  // namespace
 
-WebSocketSession::WebSocketSession(PlayContext& context, SocketStream stream,
-                                   std::size_t message_bytes_max)
-    : context_(context) {
+WebSocketSession::WebSocketSession(PlayContext& context, OverloadControl& overload,
+                                   SocketStream stream, std::size_t message_bytes_max)
+    : context_(context), overload_(overload) {
     socket_.emplace(std::move(stream));
     boost::beast::tcp_stream& tcp = socket_->next_layer().tcp();
     peer_ = peer_name(tcp);
@@ -103,7 +103,8 @@ void WebSocketSession::on_accepted(beast::error_code error) {
              .address = address_,
              .call = "GET /play",
              .who = context_.authorizer.identify(
-                 {.certificate = socket_->next_layer().certificate(), .address = address_})},
+                 {.certificate = socket_->next_layer().certificate(), .address = address_}),
+             .overload = &overload_},
         Clock::now());
     read();
 }

@@ -119,7 +119,7 @@ Status check(const Config& c) {
         {"tick.physics_threads", c.tick.physics_threads, 1, 64},
         {"tick.step_seconds_max", c.tick.step_seconds_max, 0.05, 3600},
         {"tick.lag_compensation_ms_max", c.tick.lag_compensation_ms_max, 0, 2000},
-        {"stream.ack_window_max", c.stream.ack_window_max, 2, 1000},
+        {"stream.ack_window_max_ms", c.stream.ack_window_max_ms, 200, 60000},
         {"stream.ack_interval_ms", c.stream.ack_interval_ms, 1, 1000},
         {"stream.interest_cell_m", c.stream.interest_cell_m, 1, 100000},
         {"stream.heartbeats_per_second", c.stream.heartbeats_per_second, 0.5, 1000},

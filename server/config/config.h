@@ -86,7 +86,8 @@ struct TickSettings {
 };
 
 struct StreamSettings {
-    int ack_window_max = 30;           // messages in flight to a client
+    // The longest time for which snapshots may be unacknowledged, on any path.
+    int ack_window_max_ms = 3000;
     int ack_interval_ms = 100;         // interval of the client's acknowledgements
     double hello_timeout_seconds = 5;  // a stream without a Hello is closed after this time
     // a client that sends nothing for this long is disconnected

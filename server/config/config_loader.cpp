@@ -119,7 +119,7 @@ Setters setters_of(Config& c) {
         {"tick.query_copy_share", into(c.tick.query_copy_share)},
         {"tick.step_seconds_max", into(c.tick.step_seconds_max)},
         {"tick.lag_compensation_ms_max", into(c.tick.lag_compensation_ms_max)},
-        {"stream.ack_window_max", into(c.stream.ack_window_max)},
+        {"stream.ack_window_max_ms", into(c.stream.ack_window_max_ms)},
         {"stream.ack_interval_ms", into(c.stream.ack_interval_ms)},
         {"stream.interest_cell_m", into(c.stream.interest_cell_m)},
         {"stream.heartbeats_per_second", into(c.stream.heartbeats_per_second)},

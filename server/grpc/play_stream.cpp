@@ -30,7 +30,8 @@ PlayStream::~PlayStream() {
 }
 
 void PlayStream::begin(PlayContext& context, const ConnectionTable& connections,
-                       std::function<void()> wake, Clock::time_point now) {
+                       OverloadControl& overload, std::function<void()> wake,
+                       Clock::time_point now) {
     ASSERT(!session_);
     connection_ = connections.of(context_.peer());
     ASSERT(connection_);
@@ -47,7 +48,8 @@ void PlayStream::begin(PlayContext& context, const ConnectionTable& connections,
              .address = address,
              .call = "jostle.v1.PlayService/Play",
              .who = identify(context_, *connection_, address, context.authorizer),
-             .wake = std::move(wake)},
+             .wake = std::move(wake),
+             .overload = &overload},
         now);
     start_read();
 }

@@ -78,6 +78,7 @@ struct HttpServer::Impl {
 
     PlayContext& context;
     const HttpServerSettings settings;
+    OverloadControl overload;  // outlives the sessions, which handlers of `io` may own
     asio::io_context io{1};
     TokenBucket hint_log{0.2, 3, Clock::now()};
     double body_bytes = 0;  // of requests that are being received or handled
@@ -208,7 +209,7 @@ bool HttpServer::Impl::has_room_for(const std::string& address) {
 void HttpServer::Impl::begin_play(SocketStream stream, const WebSocketSession::Request& request,
                                   SocketPeer peer) {
     const auto session = std::make_shared<WebSocketSession>(
-        context, std::move(stream), std::move(peer), settings.message_bytes_max);
+        context, overload, std::move(stream), std::move(peer), settings.message_bytes_max);
     play_sessions.push_back(session);
     if (play_sessions.size() == 1) schedule_housekeeping();  // replaces the longer idle period
     session->start(request);
@@ -225,16 +226,17 @@ void HttpServer::Impl::schedule_housekeeping() {
     });
 }
 
-// Each round starts with the next client, so that no client is always written to last.
+// Each round starts with the next client, so that no client is always written to last. A round
+// takes a while, so each client has its own time.
 void HttpServer::Impl::advance_all() {
-    const Clock::time_point now = Clock::now();
     const std::size_t count = remove_closed(play_sessions);
     if (count == 0) return;
     first = (first + 1) % count;
     ASSERT(first < count);
     for (std::size_t i = 0; i < count; ++i) {
         // advance() only starts operations, so no session starts or ends during the loop.
-        if (const auto session = play_sessions[(first + i) % count].lock()) session->advance(now);
+        if (const auto session = play_sessions[(first + i) % count].lock())
+            session->advance(Clock::now());
     }
 }
 

@@ -56,9 +56,10 @@ websocket::close_reason reason_of(const Status& end) {
 
 }  // namespace
 
-WebSocketSession::WebSocketSession(PlayContext& context, SocketStream stream, SocketPeer peer,
+WebSocketSession::WebSocketSession(PlayContext& context, OverloadControl& overload,
+                                   SocketStream stream, SocketPeer peer,
                                    std::size_t message_bytes_max)
-    : context_(context), peer_(std::move(peer)) {
+    : context_(context), overload_(overload), peer_(std::move(peer)) {
     socket_.emplace(std::move(stream));
     boost::beast::tcp_stream& tcp = socket_->next_layer().tcp();
     tcp.expires_never();  // from here on the WebSocket layer and the session handle timeouts
@@ -90,7 +91,8 @@ void WebSocketSession::on_accepted(beast::error_code error) {
              .address = peer_.address,
              .call = "GET /play",
              .who = context_.authorizer.identify(
-                 {.certificate = socket_->next_layer().certificate(), .address = peer_.address})},
+                 {.certificate = socket_->next_layer().certificate(), .address = peer_.address}),
+             .overload = &overload_},
         Clock::now());
     read();
 }

@@ -20,6 +20,9 @@ snapshot::EntityState quantized_pose(const EntityPose& e, const snapshot::QuantS
     return snapshot::quantize(e.id, {{p.x, p.y, p.z}, {q.x, q.y, q.z, q.w}}, !e.awake, spec);
 }
 
+// Baselines up to this factor older than the best ones are used to share an encoding.
+constexpr std::uint32_t shared_age_factor = 2;
+
 // Ticks in which nothing changed since the baseline, except possibly in the frame's own tick.
 std::uint32_t unchanged_ticks(const Frame& frame, const Frame& baseline) {
     if (frame.changed_at <= baseline.tick) return frame.tick - baseline.tick;
@@ -38,6 +41,11 @@ snapshot::Channels channels_of(const Frame& frame) {
 }  // namespace
 
 SnapshotCache::Entry* SnapshotCache::find(std::uint32_t frame) {
+    const auto at = entries_.find(frame);
+    return at == entries_.end() ? nullptr : &at->second;
+}
+
+const SnapshotCache::Entry* SnapshotCache::find(std::uint32_t frame) const {
     const auto at = entries_.find(frame);
     return at == entries_.end() ? nullptr : &at->second;
 }
@@ -128,18 +136,51 @@ std::vector<snapshot::UnchangedRun> SnapshotCache::unchanged_runs(const Entry& e
 SharedBytes SnapshotCache::encoding(const FramePtr& frame, snapshot::BaselineFrames baselines,
                                     std::uint64_t kinds, std::optional<snapshot::Codec> poses) {
     const std::lock_guard lock(mutex_);
+    return encode(entry_of(frame), baselines, kinds, poses);
+}
+
+SnapshotCache::Shared SnapshotCache::shared_encoding(const FramePtr& frame,
+                                                     const BaselineTracker& known,
+                                                     std::uint64_t kinds,
+                                                     std::optional<snapshot::Codec> poses) {
+    const std::lock_guard lock(mutex_);
     Entry& entry = entry_of(frame);
-    ASSERT(entry.frame->tick == frame->tick);
-    // Each baseline is usable only with the previous one, in descending order.
-    const Entry* baseline = baselines.baseline < frame->tick ? find(baselines.baseline) : nullptr;
-    const Entry* baseline2 =
-        baseline && baselines.baseline2 < baselines.baseline ? find(baselines.baseline2) : nullptr;
-    const Entry* baseline3 = baseline2 && baselines.baseline3 < baselines.baseline2
-                                 ? find(baselines.baseline3)
-                                 : nullptr;
-    const snapshot::BaselineFrames used{baseline ? baselines.baseline : 0,
-                                        baseline2 ? baselines.baseline2 : 0,
-                                        baseline3 ? baselines.baseline3 : 0};
+    const std::uint32_t tick = frame->tick;
+    const snapshot::BaselineFrames best = held(known.baselines_for(tick), tick);
+    const std::uint64_t made_before = made_;
+    if (best.baseline == 0 || !poses || entry.encodings.contains({best, kinds, poses}) ||
+        entry.packed.contains({best, *poses}))
+        return {encode(entry, best, kinds, poses), made_ != made_before};
+    // Of the encodings that the client can decode, the one with the newest baselines.
+    const bool is_full = entry.encodings_with_baselines >= encodings_per_frame_max;
+    const snapshot::BaselineFrames* suitable = nullptr;
+    for (const auto& [key, bytes] : entry.packed) {
+        const auto& [baselines, codec] = key;
+        if (codec != *poses || baselines.baseline == 0 || !known.has(baselines)) continue;
+        if (!is_full && tick - baselines.baseline > shared_age_factor * (tick - best.baseline))
+            continue;
+        if (!suitable || *suitable < baselines) suitable = &baselines;
+    }
+    if (suitable) return {encode(entry, *suitable, kinds, poses), false};
+    if (is_full) return {};
+    return {encode(entry, best, kinds, poses), true};
+}
+
+// The baselines that are stored. Each is usable only with the previous one, in descending order.
+snapshot::BaselineFrames SnapshotCache::held(const snapshot::BaselineFrames& wanted,
+                                             std::uint32_t tick) const {
+    const bool first = wanted.baseline < tick && find(wanted.baseline);
+    const bool second = first && wanted.baseline2 < wanted.baseline && find(wanted.baseline2);
+    const bool third = second && wanted.baseline3 < wanted.baseline2 && find(wanted.baseline3);
+    return {first ? wanted.baseline : 0, second ? wanted.baseline2 : 0,
+            third ? wanted.baseline3 : 0};
+}
+
+SharedBytes SnapshotCache::encode(Entry& entry, const snapshot::BaselineFrames& wanted,
+                                  std::uint64_t kinds, std::optional<snapshot::Codec> poses) {
+    const FramePtr& frame = entry.frame;
+    const snapshot::BaselineFrames used = held(wanted, frame->tick);
+    const Entry* const baseline = used.baseline != 0 ? find(used.baseline) : nullptr;
     if (const auto made = entry.encodings.find({used, kinds, poses}); made != entry.encodings.end())
         return made->second;
     snapshot::PackedChannels channels;
@@ -177,12 +218,19 @@ const std::vector<std::byte>& SnapshotCache::packed(Entry& entry,
         {poses(baselines.baseline), poses(baselines.baseline2), poses(baselines.baseline3)}, spec_,
         codec, unchanged);
     made_++;
+    if (baseline) entry.encodings_with_baselines++;
     return at->second;
 }
 
 snapshot::QuantizedFrame SnapshotCache::quantized(const FramePtr& frame) {
     const std::lock_guard lock(mutex_);
     return entry_of(frame).quantized;
+}
+
+FramePtr SnapshotCache::frame(std::uint32_t tick) const {
+    const std::lock_guard lock(mutex_);
+    const Entry* const entry = find(tick);
+    return entry ? entry->frame : nullptr;
 }
 
 bool SnapshotCache::holds(std::uint32_t frame) const {

@@ -36,6 +36,8 @@ The measurement starts when all clients have joined and --settle has passed. The
   decoded_share                     share of the snapshots that were decoded and verified by CRC
   age_ms                            from the due time of a tick until its snapshot was read
                                     (library clients: decoded)
+  frozen_share                      share of the rendered frames that showed nothing new, or jumped,
+                                    because snapshots were late (decoding passive clients)
   gap_ms                            between successive snapshots of a client (passive clients)
   result_delay_ms                   from an input until its result (passive clients)
   effect_delay_ms                   from an input until the first snapshot of the tick that applied
@@ -117,6 +119,13 @@ void add_flags(CLI::App& app, Flags& flags) {
         ->needs(passive)
         ->check(CLI::Range(0.1, 1000.0).description(""))
         ->group("Passive clients");
+    app.add_option("--read-rate-max", load.read_rate_max,
+                   "Spread the read rates of the clients from --read-rate to N\n"
+                   "[default: all are equal; 0.1 to 1000]")
+        ->type_name("N")
+        ->needs(passive)
+        ->check(CLI::Range(0.1, 1000.0).description(""))
+        ->group("Passive clients");
     app.add_option("--decode-ratio", load.decode_ratio,
                    "Decode snapshots in this share of the clients [default: 0.01; 0 to 1]")
         ->type_name("RATIO")
@@ -174,6 +183,10 @@ jostle::Status finish(Flags& flags) {
     if (flags.passive && load.security.tls)
         return jostle::invalid_argument(
             "--passive does not support TLS; omit --tls, --ca and --cert");
+    if (load.read_rate_max != 0 && load.read_rate_max < load.read_rate)
+        return jostle::invalid_argument("--read-rate-max must not be below --read-rate");
+    if (load.read_rate_max != 0 && load.read_rate == 0)
+        return jostle::invalid_argument("--read-rate-max requires --read-rate");
     if (flags.websocket) load.transport = Transport::websocket;
     if (!raise_socket_limit(load.clients))
         return jostle::invalid_argument(

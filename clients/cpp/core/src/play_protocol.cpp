@@ -8,7 +8,7 @@ namespace jostle::client {
 namespace {
 
 constexpr std::uint32_t protocol_version = 1;
-constexpr auto batch_period = std::chrono::microseconds(33'333);  // 30 batches per second
+constexpr auto usual_batch_period = std::chrono::microseconds(33'333);  // 30 batches per second
 constexpr int initial_pings = 3;  // at short intervals, for a quick clock estimate
 constexpr auto initial_ping_period = std::chrono::milliseconds(100);
 constexpr auto ping_period = std::chrono::seconds(1);
@@ -343,11 +343,18 @@ bool PlayProtocol::sends_inputs_on_stream(Clock::time_point now) const {
            inputs_.is_stalled(confirm_timeout, now);
 }
 
+// Timed inputs are sent at once, but several of one tick share a batch.
+Clock::duration PlayProtocol::batch_period() const {
+    if (!inputs_.has_unsent_timed()) return usual_batch_period;
+    const auto half_tick = std::chrono::microseconds(static_cast<std::int64_t>(tick_us_ / 2));
+    return std::min<Clock::duration>(usual_batch_period, half_tick);
+}
+
 std::optional<std::string> PlayProtocol::take_message(Clock::time_point now) {
     if (hello_due_) return hello();
     if (!stats_.connected || leave_sent_) return std::nullopt;
     v1::ClientMessage message;
-    if (sends_inputs_on_stream(now) && now - last_batch_ >= batch_period) return take_inputs(now);
+    if (sends_inputs_on_stream(now) && now - last_batch_ >= batch_period()) return take_inputs(now);
     if (now >= next_ping_) {
         next_ping_ = now + (++pings_sent_ < initial_pings ? Clock::duration(initial_ping_period)
                                                           : Clock::duration(ping_period));
@@ -388,7 +395,7 @@ std::optional<std::string> PlayProtocol::take_datagram(Clock::time_point now) {
     const bool through = stats_.datagrams;
     const bool inputs = through && !leaving_ && inputs_.has_unconfirmed() &&
                         inputs_.fits(datagram_inputs_bytes) &&
-                        now - last_datagram_batch_ >= batch_period;
+                        now - last_datagram_batch_ >= batch_period();
     const Clock::duration period = through ? datagram_keepalive_period
                                    : now - ticket_received_at_ < initial_probe_duration
                                        ? initial_probe_period

@@ -241,8 +241,8 @@ export class Connection {
     if (input.kind?.case === 'drag' && last?.kind?.case === 'drag' && last.tick === input.tick) this.inputs.replaceLast(input);
     else this.inputs.push(input);
     this.predictionListener?.input(this.inputs.newest, tick, input);
-    // Waiting for the next batch would need a larger input lead.
-    if (tick > 0 && now - this.lastBatch >= BATCH_MS * 1000) this.sendInputs(now);
+    // Waiting for the next batch would need a larger input lead. Several inputs of one tick share a batch.
+    if (tick > 0 && now - this.lastBatch >= this.inputClock.halfTickUs) this.sendInputs(now);
   }
 
   /** Computes the positions of the point objects at the rendered time, on the server's clock. */

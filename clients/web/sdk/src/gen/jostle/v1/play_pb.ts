@@ -263,8 +263,8 @@ export const InterestSchema: GenMessage<Interest> = /*@__PURE__*/
 
 /**
  * Inputs have ascending sequence numbers from 1. The server applies each input at most once and answers each with one
- * InputResult. Send at most 30 batches per second, with at most client.inputs_per_batch_max (default 64) inputs each; a
- * larger batch closes the stream with INVALID_ARGUMENT.
+ * InputResult. Send about 30 batches per second, or one per tick while inputs name their ticks, with at most
+ * client.inputs_per_batch_max (default 64) inputs each; a larger batch closes the stream with INVALID_ARGUMENT.
  *
  * @generated from message jostle.v1.InputBatch
  */

@@ -306,12 +306,12 @@ TEST(SceneErrors, rejects_unknown_and_duplicate_modules) {
     test::register_turntable();
     expect_refused(
         with_module("\n\"tag\": \"submarine\""),
-        "line 6: modules[0].tag: is \"submarine\"; it must be one of "
+        "line 6: modules[0].tag: is \"submarine\"; it must be one of asteroids, "
         "boat, character, cloth, crowd, destruction, fields, hovercraft, katamari, particles, "
         "ragdoll, rope, turntable, vehicle");
     expect_refused(
         with_module("\"settings\": {}"),
-        "modules[0].tag: is \"\"; it must be one of boat, "
+        "modules[0].tag: is \"\"; it must be one of asteroids, boat, "
         "character, cloth, crowd, destruction, fields, hovercraft, katamari, particles, ragdoll, "
         "rope, turntable, vehicle");
     expect_refused(
@@ -323,7 +323,8 @@ TEST(SceneErrors, rejects_unknown_and_duplicate_modules) {
     ASSERT_FALSE(built.ok());
     EXPECT_EQ(
         built.error().message,
-        "modules[0] 'submarine': module \"submarine\" is not registered (registered: boat, "
+        "modules[0] 'submarine': module \"submarine\" is not registered (registered: asteroids, "
+        "boat, "
         "character, cloth, crowd, destruction, fields, hovercraft, katamari, particles, ragdoll, "
         "rope, turntable, vehicle); "
         "call register_module() first");

@@ -29,10 +29,12 @@ snapshot::Codec codec_for(const Hello& hello, const StreamSettings& settings) {
 SnapshotStream::SnapshotStream(const Parts& parts, const Hello& hello, int divider)
     : parts_(parts),
       codec_(codec_for(hello, parts.context.config.stream)),
-      entities_(parts.broadcast, baselines_, parts.outbox),
+      entities_(parts.broadcast, baselines_, parts.outbox,
+                hello.packed_entities ? EntityForm::packed : EntityForm::complete),
       schedule_(parts.context.config.stream, parts.broadcast.host().hz(), divider),
       sections_({.context = parts.context,
                  .broadcast = parts.broadcast,
+                 .poses = *parts.poses,
                  .entities = entities_,
                  .inputs = parts.inputs,
                  .schedule = schedule_,
@@ -105,7 +107,7 @@ OutMessage SnapshotStream::make_snapshot(const FramePtr& frame, Clock::time_poin
     SnapshotParts parts;
     sections_.append_optional(frame, now, parts);
     sections_.client_update().append(frame, now, parts);
-    SharedBytes shared = parts_.broadcast.snapshots().encoding(
+    SharedBytes shared = parts_.poses->snapshots().encoding(
         frame, baselines_.baselines_for(frame->tick), parts.channel_kinds,
         parts.has_poses ? std::optional(codec_) : std::nullopt);
     std::size_t shared_bytes = shared->size();
@@ -187,8 +189,7 @@ bool SnapshotStream::prepare_datagram(const FramePtr& frame, Clock::time_point n
 
 SharedBytes SnapshotStream::encode(const FramePtr& frame,
                                    const snapshot::BaselineFrames& baselines) {
-    return parts_.broadcast.snapshots().encoding(frame, baselines, sections_.channel_kinds(),
-                                                 codec_);
+    return parts_.poses->snapshots().encoding(frame, baselines, sections_.channel_kinds(), codec_);
 }
 
 void SnapshotStream::on_sent_by_datagram(const OutMessage& snapshot, std::uint32_t tick,
@@ -204,12 +205,14 @@ void SnapshotStream::suspend(DisconnectedClient& client) {
     client.baselines = std::move(baselines_);
     client.sent_geometry = entities_.take_geometry();
     client.channel_kinds = sections_.channel_kinds();
+    client.precision = poses().precision();
 }
 
 bool SnapshotStream::resume(DisconnectedClient& lost, SentLog::Known& known, std::uint32_t frame) {
     ASSERT(parts_.sent_log != nullptr);
     if (has_cells() || !lost.stream_resumable || !known.list ||
-        sections_.channel_kinds() != lost.channel_kinds || !lost.baselines.roll_back_to(frame))
+        sections_.channel_kinds() != lost.channel_kinds || poses().precision() != lost.precision ||
+        !lost.baselines.roll_back_to(frame))
         return false;
     baselines_ = std::move(lost.baselines);
     *parts_.sent_log = std::move(lost.sent);

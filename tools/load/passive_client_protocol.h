@@ -29,6 +29,8 @@ struct PassiveClientOptions {
     int ack_every = 0;  // snapshots per ack; 0: at the interval of the Welcome
     std::optional<client::AreaOfInterest> interest = {};  // nothing: the whole world
     std::uint32_t max_kbps = 0;                           // 0: no limit
+    std::uint32_t snapshot_hz = 0;                        // 0: the tick rate of the world
+    std::optional<client::Precision> precision = {};      // nothing: that of the world
 };
 
 class PassiveClientProtocol {

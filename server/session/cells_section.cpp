@@ -96,8 +96,11 @@ bool CellsSection::send_members(const snapshot::QuantizedFrame& cell, bool quota
     }
     if (fresh.empty()) return knew_all;
     const EntityUpdateMessages messages = broadcast_.entity_update_for(fresh, entities_.form());
+    std::size_t bytes = 0;
+    for (const SharedBytes& update : messages.entity_updates) bytes += update->size();
+    if (!view_.affords(bytes, quota)) return false;
     entities_.send(messages);
-    for (const SharedBytes& update : messages.entity_updates) view_.spend(update->size(), true);
+    view_.spend(bytes, true);
     for (const auto& entity : fresh) {
         if (known_.size() <= entity->id) known_.resize(entity->id + 1, false);
         known_[entity->id] = true;

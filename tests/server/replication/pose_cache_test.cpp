@@ -50,7 +50,8 @@ int misses(const snapshot::QuantizedFrame& frame, std::uint32_t tick,
     int missed = 0;
     for (const snapshot::EntityState& state : frame.entities) {
         const physics::Transform pose = pose_of(state.id, tick);
-        const auto &p = pose.position, &q = pose.rotation;
+        const physics::Vec3& p = pose.position;
+        const physics::Quat& q = pose.rotation;
         missed +=
             !snapshot::is_within(precision, state, {{p.x, p.y, p.z}, {q.x, q.y, q.z, q.w}}, spec);
     }

@@ -40,8 +40,8 @@ QuantSpec quant_spec_for(const Precision& precision);
 bool is_within(const Precision& precision, const EntityState& state, const Pose& pose,
                const QuantSpec& spec);
 
-/// The earlier motion of a body as clients know it: its states in the last two quantized frames, and its true pose
-/// in the last one. Null: it was not in that frame.
+/// The earlier motion of a body as clients know it: its states in the last two quantized frames,
+/// and its true pose in the last one. Null: it was not in that frame.
 struct SentMotion {
     const EntityState* last = nullptr;
     const EntityState* before_last = nullptr;

@@ -102,8 +102,8 @@ export const ViewTimeSchema: GenMessage<ViewTime> = /*@__PURE__*/
   messageDesc(file_jostle_v1_common, 2);
 
 /**
- * The greatest error of the poses that clients decode. Smaller values cost more bandwidth. `position` and `rotation` are
- * set together.
+ * The greatest error of the poses that clients decode. Smaller values cost more bandwidth. `position`
+ * and `rotation` are set together.
  *
  * @generated from message jostle.v1.Precision
  */
@@ -123,8 +123,8 @@ export type Precision = Message<"jostle.v1.Precision"> & {
   rotation: number;
 
   /**
-   * In streams with an area of interest: factor by which both are coarser in cells beyond half of its radius, 1 to 1000.
-   * 0: 1.
+   * In streams with an area of interest: factor by which both are coarser in cells beyond half of its
+   * radius, 1 to 1000. 0: 1.
    *
    * @generated from field: double far_factor = 3;
    */

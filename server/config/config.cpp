@@ -6,6 +6,8 @@
 #include <charconv>
 
 #include "jostle/base/network_conditions.h"
+#include "server/config/origin.h"
+#include "server/util/network.h"
 
 namespace jostle::server {
 
@@ -26,6 +28,28 @@ struct Range {
     const char* key;
     double value, low, high;
 };
+
+Status check_proxies(const Config& c) {
+    for (const std::string& origin : c.allowed_origins)
+        if (!parse_origin(origin))
+            return invalid_argument("allowed_origins: \"" + origin +
+                                    "\" is not an origin; write scheme and host without a path, "
+                                    "such as https://play.example.org");
+    for (const std::string& text : c.trusted_proxies)
+        if (const auto network = parse_exact_network(text); !network.ok())
+            return invalid_argument("trusted_proxies: " + network.error().message);
+    if (c.forwarded_header != "x-forwarded-for" && c.forwarded_header != "forwarded")
+        return invalid_argument("forwarded_header is \"" + c.forwarded_header +
+                                "\"; it must be x-forwarded-for or forwarded");
+    for (const std::string& port : c.proxy_protocol)
+        if (port != "grpc" && port != "http")
+            return invalid_argument("proxy_protocol: \"" + port +
+                                    "\" is not a port; the list may contain grpc and http");
+    if (!c.proxy_protocol.empty() && c.trusted_proxies.empty())
+        return invalid_argument(
+            "proxy_protocol is set without trusted_proxies; list the addresses of the proxies");
+    return {};
+}
 
 // Settings that depend on each other, and settings with a fixed list of values.
 Status check_access(const Config& c) {
@@ -165,6 +189,7 @@ Status check(const Config& c) {
     if (const auto conditions = parse_network_conditions(c.development.network_conditions);
         !conditions.ok())
         return invalid_argument("development.network_conditions: " + conditions.error().message);
+    if (Status s = check_proxies(c); !s.ok()) return s;
     return check_access(c);
 }
 

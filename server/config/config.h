@@ -198,6 +198,13 @@ struct Config {
     std::vector<std::string> allowed_origins;  // additional origins whose pages may use this server
     // own host names, in addition to IP addresses and localhost
     std::vector<std::string> allowed_hosts;
+    // Addresses and networks of the proxies in front of this server, whose statements about their
+    // clients are believed (server/forwarding/trusted_proxies.h).
+    std::vector<std::string> trusted_proxies;
+    // header of a trusted proxy with the client's address: x-forwarded-for, forwarded
+    std::string forwarded_header = "x-forwarded-for";
+    // ports on which connections of trusted proxies begin with a PROXY v2 header: grpc, http
+    std::vector<std::string> proxy_protocol;
     std::string log_level = "info";   // trace, debug, info, warn, error
     std::string log_format = "text";  // text, json
     // Host name that clients connect to, for a server that listens on all addresses; empty: the

@@ -35,16 +35,19 @@ void PlayStream::begin(PlayContext& context, const ConnectionTable& connections,
     ASSERT(!session_);
     connection_ = connections.of(context_.peer());
     ASSERT(connection_);
-    network_ = network_of(connection_->address);
+    const std::string address = client_address(context_, *connection_, connections);
+    network_ = network_of(address);
     connection_->calls_accepted++;
     connection_->calls++;
     metrics_ = context.rpc_metrics;
     session_ = std::make_unique<ClientSession>(
         context,
-        Peer{.name = "grpc:" + connection_->peer,
-             .address = connection_->address,
+        Peer{.name =
+                 "grpc:" + (address == connection_->address ? std::string() : address + " via ") +
+                 connection_->peer,
+             .address = address,
              .call = "jostle.v1.PlayService/Play",
-             .who = identify(context_, *connection_, context.authorizer),
+             .who = identify(context_, *connection_, address, context.authorizer),
              .wake = std::move(wake),
              .overload = &overload},
         now);

@@ -63,10 +63,11 @@ enum class ConnectionRefusal {
     busy,           // too many requests wait for a thread
     penalty,        // the address attacked the server recently
     attack,         // it sent frames that no regular client sends
+    proxy_header,   // a trusted proxy sent no valid PROXY header
 };
 constexpr auto names_of(ConnectionRefusal) {
     return std::to_array<std::string_view>(
-        {"limit", "address_limit", "handshake", "busy", "penalty", "attack"});
+        {"limit", "address_limit", "handshake", "busy", "penalty", "attack", "proxy_header"});
 }
 
 // In the order of ErrorCode.

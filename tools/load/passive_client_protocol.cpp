@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "jostle/snapshot/frame_codec.h"
+
 namespace jostle::load {
 
 using namespace std::chrono_literals;
@@ -224,6 +226,7 @@ std::optional<std::string_view> PassiveClientProtocol::take_message(Clock::time_
         hello.set_max_kbps(options_.max_kbps);
         hello.set_packed_entities(true);
         hello.set_snapshot_hz(options_.snapshot_hz);
+        // As the clients of players: the cost of the server and the bytes depend on it.
         hello.set_codec(static_cast<std::uint32_t>(snapshot::newest_codec));
         if (options_.precision) {
             hello.mutable_precision()->set_position(options_.precision->position);

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "server/grpc/call_method.h"
+#include "server/services/call_method.h"
+
+#include <spdlog/fmt/fmt.h>
 
 #include "jostle/v1/admin.pb.h"
 
@@ -10,7 +12,7 @@ namespace {
 constexpr std::size_t admin_request_bytes_max = 4096;
 
 std::string path_of(const char* name) {
-    return std::string("/jostle.v1.AdminService/") + name;
+    return fmt::format("/jostle.v1.AdminService/{}", name);
 }
 
 enum class Audit { no, yes };

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// An RPC other than the play stream as the dispatcher sees it: its name, its limits and its
-// handler. Messages are bytes here; unary_method() wraps a handler of two messages.
+// An RPC other than the play stream, independent of its transport (gRPC or gRPC-Web): its name, its
+// limits and its handler. Messages are bytes here; unary_method() wraps a handler of two messages.
 #pragma once
 #include <google/protobuf/message.h>
 
@@ -128,15 +128,5 @@ std::vector<CallMethod> query_methods(const QueryControl& queries, const WorldDi
 // calls that change something in the audit log. Any thread.
 // Both arguments must outlive the methods.
 std::vector<CallMethod> admin_methods(AdminControl& control, const WorldDirectory& worlds);
-
-// grpc.health.v1.Health: Check responds once, Watch after each change. Any thread.
-// `services`: the known services besides the empty name, which is the entire server; all share one
-// status. `is_serving`: called on any thread.
-std::vector<CallMethod> health_methods(std::vector<std::string> services,
-                                       std::function<bool()> is_serving);
-
-// gRPC reflection, v1 and v1alpha, from the compiled-in descriptors. Pure; any thread. For
-// these services, by full name.
-std::vector<CallMethod> reflection_methods(std::vector<std::string> services);
 
 }  // namespace jostle::server

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/grpc/call_method.h"
+#include "server/services/call_method.h"
 
 #include "jostle/v1/world.pb.h"
 

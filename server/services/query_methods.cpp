@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: MIT
-#include "server/grpc/call_method.h"
+#include "server/services/call_method.h"
+
+#include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
 #include <mutex>
@@ -33,7 +35,7 @@ CallMethod query_method(const QueryControl& queries, const WorldDirectory& world
                                                       const CancellationCheck&) const) {
     return within_budget(queries,
                          world_method<Request, Response>(
-                             std::string("/jostle.v1.QueryService/") + name, CallWork::query,
+                             fmt::format("/jostle.v1.QueryService/{}", name), CallWork::query,
                              query_request_bytes_max, worlds,
                              [&queries, query](const CallContext& context, const Request& request,
                                                Response& response) {

@@ -24,12 +24,19 @@ constexpr int max_halvings = 6, max_steps = 1024;
 constexpr std::size_t max_quartered_joints = 32;
 // See may_take_fewer_steps.
 constexpr std::size_t min_large_joints = 24;
+constexpr double slow_turn = 0.05;  // rad in a sub-step
 // After this many sub-steps, a longer one is tried again.
 constexpr int steps_at_halvings = 4;
 // Suzuki's coefficients a, a, 1 - 4 a, a, a with a = 1 / (4 - 4^(1/3)).
 constexpr double suzuki = 0.41449077179437573714;
 constexpr double suzuki_stages[] = {suzuki, suzuki, 1 - 4 * suzuki, suzuki, suzuki};
 constexpr double longest_stage = 4 * suzuki - 1;
+
+// See may_take_fewer_steps. `turn`: of the fastest body over all sub-steps, rad.
+int fewer_steps(int substeps, double turn) {
+    const int half = std::max(4, (substeps + 1) / 2), quarter = std::max(2, (substeps + 3) / 4);
+    return std::min(substeps, turn <= slow_turn * quarter ? quarter : half);
+}
 
 }  // namespace
 
@@ -229,8 +236,8 @@ void DirectGroup::advance(double dt, int substeps) {
     if (turn * longest_stage > followed_turn * parts) parts = 0;
     // Separated ends converge step by step, forward in time.
     if (parts > 0 && set_targets(dt / substeps)) parts = 0;
-    if (parts == 0 && may_take_fewer_steps && joints.size() >= min_large_joints && substeps > 4)
-        substeps = std::max(4, (substeps + 1) / 2);
+    if (parts == 0 && may_take_fewer_steps && joints.size() >= min_large_joints)
+        substeps = fewer_steps(substeps, turn);
     for (int part = 0; part < parts; part++) {
         const double h = dt / parts;
         store_ball_tree();

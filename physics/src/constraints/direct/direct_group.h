@@ -44,7 +44,8 @@ public:
     // for estimating their error.
     bool is_trial = false;
     // Takes half of the sub-steps, but at least four, if it is large and its steps are not
-    // composed: its errors are of second order and far smaller than those of contacts.
+    // composed: its errors are of second order and far smaller than those of contacts. Takes a
+    // quarter, but at least two, while its bodies turn slowly.
     bool may_take_fewer_steps = false;
 
     // Counters since prepare(), for the profile and for tests.

@@ -25,6 +25,7 @@ constexpr double small_part = 0.02, max_left = 5e-6;
 double enough_of(double first, double tolerance) {
     return maximum(tolerance, minimum(max_left, small_part * first));
 }
+
 // Adds the geometric stiffness of a force at an arm: minus the derivative of its torque.
 void stiffen(DirectBody& body, Vec3 force, Vec3 arm) {
     const double along = dot(force, arm);

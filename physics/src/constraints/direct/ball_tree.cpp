@@ -12,11 +12,11 @@
 namespace jostle::physics {
 namespace {
 
-constexpr int max_position_corrections = 8;
+constexpr int max_drift_rounds = 8;
 
 // Adds the block of two joints of a body, or of one, which the body's response couples:
 // [r]x^T response [s]x, and its mass.
-void add_block(const SymmetricMat3& response, Vec3 r, Vec3 s, double mass, double* block) {
+void add_body_block(const SymmetricMat3& response, Vec3 r, Vec3 s, double mass, double* block) {
     const Vec3 x{response.xx, response.xy, response.xz}, y{response.xy, response.yy, response.yz},
         z{response.xz, response.yz, response.zz};
     const Vec3 rows[] = {y * r.z - z * r.y, z * r.x - x * r.z, x * r.y - y * r.x};
@@ -212,9 +212,9 @@ void BallTree::assemble(System& system, double linear, SymmetricMat3 Body::*resp
         const Joint &later = joints_[as_index(c.later)], &sooner = joints_[as_index(c.sooner)];
         const Body& body = bodies_[as_index(c.body)];
         const double mass = body.inverse_mass * linear;
-        add_block(body.*response, c.later_b ? later.lever_b : -later.lever_a,
-                  c.sooner_b ? sooner.lever_b : -sooner.lever_a,
-                  c.later_b == c.sooner_b ? mass : -mass, values + c.at);
+        add_body_block(body.*response, c.later_b ? later.lever_b : -later.lever_a,
+                       c.sooner_b ? sooner.lever_b : -sooner.lever_a,
+                       c.later_b == c.sooner_b ? mass : -mass, values + c.at);
     }
     system.matrix.factor();
     count_.factors++;
@@ -281,7 +281,7 @@ bool BallTree::solve_positions(System& system, double h, double tolerance) {
     for (int round = 0;; round++) {
         const double error = drift(h);
         if (error < tolerance) return true;
-        if (round == max_position_corrections || !(error < 4 * last_error))
+        if (round == max_drift_rounds || !(error < 4 * last_error))
             return error < accepted_errors * tolerance;
         last_error = error;
         const double rate = -1 / h;

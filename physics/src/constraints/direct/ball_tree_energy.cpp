@@ -8,7 +8,7 @@
 namespace jostle::physics {
 namespace {
 
-constexpr int max_corrections = 16;
+constexpr int max_energy_rounds = 16;
 // The matrix is rebuilt if a correction other than the first leaves more than this fraction of the
 // error. What the first one leaves is of second order in it.
 constexpr double slow_correction = 0.35;
@@ -123,7 +123,7 @@ bool BallTree::step_energy(System& system, double h, double tolerance, double re
             enough =
                 maximum(tolerance, minimum(left_share * error, left_most * minimum(1, 2 * reach)));
         if (error < enough) break;
-        if (round == max_corrections || !(error < 1e6)) {
+        if (round == max_energy_rounds || !(error < 1e6)) {
             if (!(error < accepted_errors * tolerance)) return false;
             break;
         }

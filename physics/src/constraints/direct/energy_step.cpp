@@ -44,7 +44,7 @@ Vec3 lever_of(const DirectJoint& joint, Vec3 arm, Vec3 apart) {
     return joint.kind == DirectJoint::Points::across ? arm + apart : arm;
 }
 
-SymmetricMat3 symmetric(const Mat3& m) {
+SymmetricMat3 upper_triangle(const Mat3& m) {
     return {m.x.x, m.x.y, m.x.z, m.y.y, m.y.z, m.z.z};
 }
 
@@ -248,7 +248,7 @@ void DirectGroup::correct(double h, bool again) {
             // Under compression the matrix may be indefinite. The stiffness is then omitted.
             SymmetricMat3 response;
             body.response =
-                invert(symmetric(body.inertia * 2 + body.stiffness * (0.5 * h)), response)
+                invert(upper_triangle(body.inertia * 2 + body.stiffness * (0.5 * h)), response)
                     ? to_mat3(response)
                     : body.inverse_inertia * 0.5;
         }

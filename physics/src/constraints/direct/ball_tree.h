@@ -2,7 +2,7 @@
 //
 // The steps of a group (direct_group.h) in which every joint holds a point and nothing else, as in
 // chains and ropes, and no joint closes a loop. They solve the same equations as rattle_step.cpp
-// and energy_step.cpp, in records of a third of the size and with a third of the passes over them.
+// and energy_step.cpp, in records of less than half the size and with half the passes over them.
 // A step that fails leaves its start, and the group takes it in its own ways.
 #pragma once
 

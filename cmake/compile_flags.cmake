@@ -134,18 +134,11 @@ function(jostle_library name)
     jostle_unity_build(${name})
 endfunction()
 
-# The sources of programs and tests are not optimized in a debug build: they compile in two thirds of the time, and the
-# work is done in the libraries.
-if(CMAKE_BUILD_TYPE STREQUAL "Debug")
-    set(JOSTLE_PROGRAM_OPTIONS -O0)
-endif()
-
 # Program: jostle_program(NAME [SEPARATE_SOURCES] SOURCES main.cpp ... LINK libs...)
 function(jostle_program name)
     cmake_parse_arguments(arg "SEPARATE_SOURCES" "" "SOURCES;LINK" ${ARGN})
     add_executable(${name} ${arg_SOURCES})
     target_link_libraries(${name} PRIVATE ${arg_LINK} jostle_flags)
-    target_compile_options(${name} PRIVATE ${JOSTLE_PROGRAM_OPTIONS})
     if(NOT "GTest::gtest_main" IN_LIST arg_LINK)  # for base/command_line; tests share a precompiled header
         target_compile_definitions(${name} PRIVATE JOSTLE_VERSION="${PROJECT_VERSION}")
     endif()

@@ -31,7 +31,7 @@ if(JOSTLE_TESTS)
     # Compiled like programs; libraries are compiled with -fPIC, and a precompiled header is only usable with the same
     # flags.
     set_target_properties(jostle_precompiled_tests PROPERTIES POSITION_INDEPENDENT_CODE OFF)
-    target_compile_options(jostle_precompiled_tests PRIVATE -fPIE ${JOSTLE_PROGRAM_OPTIONS})
+    target_compile_options(jostle_precompiled_tests PRIVATE -fPIE)
 endif()
 
 # jostle_precompiled(TARGET libraries|tests)

@@ -82,6 +82,9 @@ struct Check {
         return c.aim ? check_aim(*c.aim) : check_point("point", c.point);
     }
     Status operator()(const DragCommand& c) const { return check_point("target", c.target); }
+    Status operator()(const CutCommand& c) const {
+        return c.aim ? check_aim(*c.aim) : check_point("point", c.point);
+    }
     Status operator()(const ReleaseCommand&) const { return {}; }
     Status operator()(const DeleteCommand&) const { return {}; }
     Status operator()(const ExplodeCommand& c) const {

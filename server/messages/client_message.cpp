@@ -83,7 +83,10 @@ Result<Action> action_of(const v1::ImpulseInput& impulse) {
     ImpulseCommand command{.entity = impulse.entity(),
                            .impulse = to_vector(impulse.impulse()),
                            .point = std::nullopt,
-                           .aim = to_aim(impulse.has_aim(), impulse.aim())};
+                           .aim = to_aim(impulse.has_aim(), impulse.aim()),
+                           .point_object = impulse.object()};
+    if (impulse.object() != 0 && !impulse.has_aim() && !impulse.has_point())
+        return invalid_argument("impulse.object is set without impulse.point; set both");
     if (impulse.has_point()) command.point = to_vector(impulse.point());
     return Action{command};
 }
@@ -108,7 +111,12 @@ Result<Action> action_of(const v1::Input& input) {
             return action_of(input.impulse());
         case v1::Input::kGrab:
             return Action{GrabCommand{input.grab().entity(), to_vector(input.grab().point()),
-                                      to_aim(input.grab().has_aim(), input.grab().aim())}};
+                                      to_aim(input.grab().has_aim(), input.grab().aim()),
+                                      input.grab().object()}};
+        case v1::Input::kCut:
+            return Action{CutCommand{.point_object = input.cut().object(),
+                                     .point = to_vector(input.cut().point()),
+                                     .aim = to_aim(input.cut().has_aim(), input.cut().aim())}};
         case v1::Input::kDrag:
             return Action{DragCommand{to_vector(input.drag().target())}};
         case v1::Input::kRelease:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/recovery/journal_codec.h"
 
+#include <algorithm>
 #include <optional>
 #include <type_traits>
 #include <utility>
@@ -14,15 +15,18 @@ namespace {
 
 using physics::Vec3;
 
-// See docs/design/format_changes.md. Version 2 has no rewinds, version 3 no undos. Segments without
-// undo are written in version 3, which older servers read.
-constexpr std::uint64_t journal_version = 4, version_without_undo = 3, oldest_version = 2;
+// See docs/design/format_changes.md. Version 2 has no rewinds, version 3 no undos, version 4 no
+// targets on ropes and cloths. Segments are written in the oldest version that can hold them, which
+// older servers read.
+constexpr std::uint64_t version_of_rewinds = 3, version_of_undos = 4, version_of_deformables = 5;
+constexpr std::uint64_t journal_version = version_of_deformables, oldest_version = 2;
 constexpr std::uint64_t no_action = 255;  // in place of an action kind
 
 // visit_action() lists the fields of each kind of action once; a JournalWriter writes them, a
 // JournalReader reads them.
 struct JournalWriter {
     ByteWriter to;
+    std::uint64_t version = journal_version;
 
     void operator()(std::uint32_t value) { to.number(value); }
     void operator()(bool value) { to.number(value ? 1 : 0); }
@@ -32,6 +36,9 @@ struct JournalWriter {
     void operator()(const std::optional<Value>& value) {
         (*this)(value.has_value());
         if (value) (*this)(*value);
+    }
+    void operator()(const DeformableTarget& target) {
+        (*this)(target.module), (*this)(target.object), (*this)(target.element);
     }
     void operator()(const Vec3& v) {
         for (int k = 0; k < 3; k++) to.real(v[k]);
@@ -46,6 +53,7 @@ struct JournalWriter {
 struct JournalReader {
     ByteReader from;
     Status status;
+    std::uint64_t version = journal_version;
 
     void operator()(std::uint32_t& value) { value = from.small(); }
     void operator()(bool& value) { value = from.number() != 0; }
@@ -56,6 +64,9 @@ struct JournalReader {
         bool present = false;
         (*this)(present);
         if (present) (*this)(value.emplace());
+    }
+    void operator()(DeformableTarget& target) {
+        (*this)(target.module), (*this)(target.object), (*this)(target.element);
     }
     void operator()(Vec3& v) { v.x = from.real(), v.y = from.real(), v.z = from.real(); }
     void operator()(physics::Quat& q) {
@@ -82,8 +93,12 @@ void visit_action(Visitor& v, Command& c) {
         v(c.color);
     } else if constexpr (std::is_same_v<Kind, ImpulseCommand>) {
         v(c.entity), v(c.impulse), v(c.point);
+        if (v.version >= version_of_deformables) v(c.deformable);
     } else if constexpr (std::is_same_v<Kind, GrabCommand>) {
         v(c.entity), v(c.point);
+        if (v.version >= version_of_deformables) v(c.deformable);
+    } else if constexpr (std::is_same_v<Kind, CutCommand>) {
+        v(c.point), v(c.deformable);
     } else if constexpr (std::is_same_v<Kind, DragCommand>) {
         v(c.target);
     } else if constexpr (std::is_same_v<Kind, DeleteCommand> ||
@@ -112,6 +127,21 @@ bool make_action(std::uint64_t index, Action& action) {
     } else {
         return false;
     }
+}
+
+bool is_at_deformable(const JournaledCommand& command) {
+    if (!command.action) return false;
+    const Action& action = *command.action;
+    if (const auto* impulse = std::get_if<ImpulseCommand>(&action))
+        return impulse->deformable.has_value();
+    if (const auto* grab = std::get_if<GrabCommand>(&action)) return grab->deformable.has_value();
+    return std::holds_alternative<CutCommand>(action);
+}
+
+std::uint64_t version_of(const JournalSegment& segment) {
+    for (const JournaledTick& tick : segment.ticks)
+        if (std::ranges::any_of(tick.commands, is_at_deformable)) return version_of_deformables;
+    return segment.undo ? version_of_undos : version_of_rewinds;
 }
 
 Error not_a_journal(const std::string& why) {
@@ -205,13 +235,15 @@ Status read_undo(JournalReader& reader, JournalSegment& segment) {
 
 std::string encode_journal(const JournalSegment& segment) {
     JournalWriter writer;
-    writer.to.number(segment.undo ? journal_version : version_without_undo);
+    writer.version = version_of(segment);
+    writer.to.number(writer.version);
     write_ticks(writer, segment.ticks);
     writer.to.number(segment.paused_ticks.size());
     for (const TickRange& range : segment.paused_ticks)
         writer.to.number(range.first), writer.to.number(range.last);
     writer(segment.rewind.has_value());
     if (segment.rewind) writer(segment.rewind->tick), writer(segment.rewind->to);
+    if (writer.version >= version_of_deformables) writer(segment.undo.has_value());
     if (segment.undo)
         writer(segment.undo->tick), writer(segment.undo->first_tick), writer(segment.undo->client);
     return writer.to.take();
@@ -219,7 +251,7 @@ std::string encode_journal(const JournalSegment& segment) {
 
 Result<JournalSegment> decode_journal(std::string_view bytes) {
     JournalReader reader{ByteReader(bytes), {}};
-    const std::uint64_t version = reader.from.number();
+    const std::uint64_t version = reader.version = reader.from.number();
     if (version < oldest_version || version > journal_version)
         return not_a_journal("version " + std::to_string(version) +
                              "; this server reads versions " + std::to_string(oldest_version) +
@@ -227,9 +259,11 @@ Result<JournalSegment> decode_journal(std::string_view bytes) {
     JournalSegment segment;
     if (Status s = read_ticks(reader, segment.ticks); !s.ok()) return s.error();
     if (Status s = read_paused_ticks(reader, segment.paused_ticks); !s.ok()) return s.error();
-    if (version >= 3)
+    if (version >= version_of_rewinds)
         if (Status s = read_rewind(reader, segment); !s.ok()) return s.error();
-    if (version >= 4)
+    bool has_undo = version == version_of_undos;
+    if (version >= version_of_deformables) reader(has_undo);
+    if (has_undo)
         if (Status s = read_undo(reader, segment); !s.ok()) return s.error();
     if (!reader.from.ok()) return not_a_journal("unexpected end of data");
     if (!reader.from.at_end()) return not_a_journal("data after the end");

@@ -8,6 +8,7 @@
 #include "jostle/base/check.h"
 #include "jostle/modules/blast.h"
 #include "jostle/modules/crowd.h"
+#include "jostle/modules/deformables.h"
 #include "jostle/modules/destruction.h"
 #include "jostle/modules/player_interaction.h"
 
@@ -77,6 +78,10 @@ struct Apply {
     }
 
     Status operator()(const ImpulseCommand& c) const {
+        if (c.deformable)
+            return on_deformable(*c.deformable, [&](modules::Deformables& of, auto at) {
+                return of.push(state.world, at, c.impulse);
+            });
         affected = c.entity;
         const Result<const Entity*> entity = dynamic_entity(c.entity);
         if (!entity.ok()) return entity.error();
@@ -85,6 +90,11 @@ struct Apply {
     }
 
     Status operator()(const GrabCommand& c) const {
+        if (c.deformable)
+            return on_deformable(*c.deformable, [&](modules::Deformables& of, auto at) {
+                state.grabs.release(state.world, client);
+                return of.grab(state.world, client, at);
+            });
         affected = c.entity;
         const Result<const Entity*> entity = dynamic_entity(c.entity);
         if (!entity.ok()) return entity.error();
@@ -93,11 +103,11 @@ struct Apply {
     }
 
     Status operator()(const DragCommand& c) const {
-        const std::optional<BodyId> body = state.grabs.drag(state.world, client, c.target);
-        if (!body)
+        if (const auto body = state.grabs.drag(state.world, client, c.target))
+            affected = state.entities.entity_of(*body);
+        else if (!state.grabs.drag_deformable(state.world, client, c.target))
             return refused(ErrorCode::not_found,
-                           "the client has not grabbed an entity; send a grab input first");
-        affected = state.entities.entity_of(*body);
+                           "the client has grabbed nothing; send a grab input first");
         return {};
     }
 
@@ -120,15 +130,17 @@ struct Apply {
     // Walls shield bodies from the blast. The centre of a click lies on a surface, so the blast has
     // a standoff.
     Status operator()(const ExplodeCommand& c) const {
-        const auto pushes =
-            modules::compute_blast(state.world, {.center = c.center,
-                                                 .radius = c.radius,
-                                                 .strength = blast_strength * c.speed,
-                                                 .falloff = 0,
-                                                 .standoff = 0.3,
-                                                 .points = 32,
-                                                 .max_speed = 2 * c.speed});
+        const modules::Explosion explosion{.center = c.center,
+                                           .radius = c.radius,
+                                           .strength = blast_strength * c.speed,
+                                           .falloff = 0,
+                                           .standoff = 0.3,
+                                           .points = 32,
+                                           .max_speed = 2 * c.speed};
+        const auto pushes = modules::compute_blast(state.world, explosion);
         if (!pushes.ok()) return from_solver(pushes.error());
+        if (const Status s = modules::push_deformables(state.world, explosion); !s.ok())
+            return from_solver(s);
         if (auto* walls = dynamic_cast<modules::Destruction*>(state.world.module("destruction")))
             walls->break_near(state.world, c.center, blast_break_scale * c.radius * c.speed);
         if (auto* crowd = dynamic_cast<modules::Crowd*>(state.world.module("crowd")))
@@ -140,6 +152,15 @@ struct Apply {
             if (!pushed.ok()) status = from_solver(pushed);
         }
         return status;
+    }
+
+    Status operator()(const CutCommand& c) const {
+        if (!c.deformable)
+            return refused(ErrorCode::invalid_argument,
+                           "the cut has no target; set its object or its aim");
+        return on_deformable(*c.deformable, [&](modules::Deformables& of, auto at) {
+            return of.cut_at(state.world, at.object, c.point);
+        });
     }
 
     Status operator()(const PossessCommand& c) const {
@@ -179,6 +200,15 @@ struct Apply {
     }
 
 private:
+    template <class Use>
+    Status on_deformable(const DeformableTarget& target, const Use& use) const {
+        modules::Deformables* deformables = modules::deformables_of(state.world, target.module);
+        if (deformables == nullptr)
+            return refused(ErrorCode::not_found,
+                           "the world has no deformable objects of the module " + target.module);
+        return use(*deformables, modules::DeformablePoint{target.object, target.element});
+    }
+
     bool has_too_many_overlaps(const SpawnCommand& c) const {
         const auto shapes =
             state.world.queries().overlap_shape(c.shape.geometry, compose(c.pose, c.shape.pose));

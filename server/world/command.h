@@ -40,6 +40,14 @@ struct Aim {
     std::optional<ViewTime> view_time = {};  // nothing: the time at which the input is applied
 };
 
+// A node of a rope or a vertex of a cloth (jostle/modules/deformables.h).
+struct DeformableTarget {
+    std::string module;  // tag
+    std::uint32_t object = 0, element = 0;
+
+    bool operator==(const DeformableTarget&) const = default;
+};
+
 struct SpawnCommand {
     physics::ShapeDef shape;
     physics::Transform pose;
@@ -53,12 +61,18 @@ struct ImpulseCommand {
     EntityId entity = 0;
     physics::Vec3 impulse;               // N s
     std::optional<physics::Vec3> point;  // world; nothing: the centre of mass
-    std::optional<Aim> aim = {};         // in place of entity and point
+    std::optional<Aim> aim = {};         // in place of entity, point and point_object
+    std::uint32_t point_object = 0;      // in place of entity: its nearest point
+    // In place of the entity, after the target was resolved.
+    std::optional<DeformableTarget> deformable = {};
 };
 struct GrabCommand {
     EntityId entity = 0;
-    physics::Vec3 point;          // world
-    std::optional<Aim> aim = {};  // in place of entity and point
+    physics::Vec3 point;             // world
+    std::optional<Aim> aim = {};     // in place of entity, point and point_object
+    std::uint32_t point_object = 0;  // in place of entity: its nearest point
+    // In place of the entity, after the target was resolved.
+    std::optional<DeformableTarget> deformable = {};
 };
 struct DragCommand {
     physics::Vec3 target;  // world
@@ -79,6 +93,13 @@ struct PossessCommand {
 struct ControlCommand {
     physics::Controls controls;
 };
+// Cuts a rope or tears a cloth.
+struct CutCommand {
+    std::uint32_t point_object = 0;
+    physics::Vec3 point;                         // world
+    std::optional<Aim> aim = {};                 // in place of point_object and point
+    std::optional<DeformableTarget> deformable;  // after the target was resolved
+};
 // The client left: releases its grab and its controlled entity, and deletes its bodies unless they
 // are retained. Has no sequence number.
 struct LeaveCommand {
@@ -91,7 +112,7 @@ struct DisconnectCommand {};
 
 using Action = std::variant<SpawnCommand, ImpulseCommand, GrabCommand, DragCommand, ReleaseCommand,
                             DeleteCommand, ExplodeCommand, PossessCommand, ControlCommand,
-                            LeaveCommand, DisconnectCommand>;
+                            LeaveCommand, DisconnectCommand, CutCommand>;
 
 // The outcome of one input.
 struct InputResult {
@@ -124,7 +145,7 @@ struct Command {
 struct JournaledCommand {
     ClientId client = 0;
     std::uint32_t sequence = 0;
-    // Its aim is resolved. Nothing: the aim hit nothing, so only the sequence number counts.
+    // Its target is resolved. Nothing: there was no target, so only the sequence number counts.
     std::optional<Action> action;
 };
 struct JournaledTick {

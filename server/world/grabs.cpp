@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "server/world/grabs.h"
 
+#include <string>
+
 #include "jostle/base/check.h"
+#include "jostle/modules/deformables.h"
 #include "jostle/modules/player_interaction.h"
 
 namespace jostle::server {
@@ -31,7 +34,17 @@ std::optional<BodyId> Grabs::drag(World& world, ClientId client, Vec3 target) {
     return at->second.body;
 }
 
+bool Grabs::drag_deformable(World& world, ClientId client, Vec3 target) const {
+    for (const std::string& tag : world.modules())
+        if (modules::Deformables* deformables = modules::deformables_of(world, tag))
+            if (deformables->drag(client, target)) return true;
+    return false;
+}
+
 void Grabs::release(World& world, ClientId client) {
+    for (const std::string& tag : world.modules())
+        if (modules::Deformables* deformables = modules::deformables_of(world, tag))
+            deformables->release(client);
     const auto at = held_.find(client);
     if (at == held_.end()) return;
     static_cast<void>(world.destroy_joint(at->second.joint).ok());  // it may be removed already

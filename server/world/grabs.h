@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The grabs of clients: at most one body per client, pulled by a grab joint. The joints belong to
-// the world, so they are part of its state. Owned by HostedWorld; one thread.
+// The grabs of clients: at most one body per client, pulled by a grab joint, or one point of a rope
+// or cloth, held by a grab (jostle/modules/point_grab.h). Joints and grabs belong to the world, so
+// they are part of its state. Owned by HostedWorld; one thread.
 #pragma once
 
 #include <map>
@@ -22,6 +23,8 @@ public:
     // client has no grab.
     std::optional<physics::BodyId> drag(physics::World& world, ClientId client,
                                         physics::Vec3 target);
+    // The same for a grabbed rope or cloth, whose module knows the client's grab. False: none.
+    bool drag_deformable(physics::World& world, ClientId client, physics::Vec3 target) const;
     void release(physics::World& world, ClientId client);
     // Releases the grabs of all clients on the body.
     void release_body(physics::World& world, physics::BodyId body);

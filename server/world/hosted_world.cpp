@@ -6,7 +6,7 @@
 #include <utility>
 
 #include "jostle/base/check.h"
-#include "server/world/resolve_aim.h"
+#include "server/world/resolve_target.h"
 #include "server/world/sync_module_entities.h"
 
 namespace jostle::server {
@@ -138,13 +138,14 @@ InputResult HostedWorld::refuse(const Command& command, Status reason, std::uint
 
 // The journal also records refused actions, because they may have side effects.
 Status HostedWorld::apply_and_record(const Command& command, InputResult& result) {
-    Action aimed;
+    Action resolved;
     const Action* action = &command.action;
     Status status;
-    if (has_aim(command.action)) {
-        aimed = command.action;
-        action = &aimed;
-        status = resolve_aim(state_, *frame_history_, *state_.entities.list(), aimed, result);
+    if (has_target(command.action)) {
+        resolved = command.action;
+        action = &resolved;
+        status = resolve_target(state_, channels_, *frame_history_, *state_.entities.list(),
+                                resolved, result);
     }
     if (journal_enabled_)
         journal_.push_back({command.client, command.sequence,

@@ -10,7 +10,7 @@
 #include <variant>
 
 #include "jostle/base/check.h"
-#include "server/world/resolve_aim.h"
+#include "server/world/resolve_target.h"
 
 namespace jostle::server {
 
@@ -23,7 +23,7 @@ constexpr double tick_overdraft = 2;
 // Other inputs take a few microseconds, whatever the world contains.
 bool may_be_expensive(const Action& action) {
     return std::holds_alternative<ExplodeCommand>(action) ||
-           std::holds_alternative<SpawnCommand>(action) || has_aim(action);
+           std::holds_alternative<SpawnCommand>(action) || has_target(action);
 }
 
 }  // namespace

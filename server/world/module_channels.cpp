@@ -70,6 +70,19 @@ Result<ModuleChannels> ModuleChannels::of(const physics::World& world) {
     return made;
 }
 
+std::optional<ModuleChannels::PointObjectOrigin> ModuleChannels::point_object(
+    std::uint32_t id) const {
+    const auto id_of = [](const auto& state) { return state->object->id; };
+    const PointObjects& objects = *points();
+    const auto found = std::ranges::lower_bound(objects, id, {}, id_of);
+    if (found == objects.end() || id_of(*found) != id) return std::nullopt;
+    const PointObjectDescription& object = *(*found)->object;
+    for (const ModuleKinds& module : modules_)
+        if (object.kind >= module.first && object.kind < module.first + module.count)
+            return PointObjectOrigin{module.tag, object.key};
+    return std::nullopt;
+}
+
 std::vector<bool> ModuleChannels::due(const ModuleKinds& module, std::uint32_t tick) const {
     std::vector<bool> due(module.count);
     ASSERT(tick > 0 && module.first + module.count <= kinds_.size());

@@ -63,6 +63,13 @@ public:
     // Never null.
     const std::shared_ptr<const PointObjects>& points() const { return points_.objects(); }
 
+    // The module that published a point object in the last tick, and its key there.
+    struct PointObjectOrigin {
+        std::string module;  // tag
+        std::uint32_t key = 0;
+    };
+    std::optional<PointObjectOrigin> point_object(std::uint32_t id) const;
+
     // A channel or a point object (its entity is then 0).
     struct OversizedChannel {
         std::string kind;

@@ -67,4 +67,11 @@ struct Cloth {
     SelfContacts self;
 };
 
+inline std::vector<Support> supports_of(const Cloth& cloth) {
+    std::vector<Support> supports;
+    for (const ClothAttachment& attachment : cloth.attachments)
+        supports.push_back({attachment.body, attachment.holder});
+    return supports;
+}
+
 }  // namespace jostle::modules::cloth_detail

@@ -122,6 +122,7 @@ void visit_attachments(StateVisitor& v, Cloth& cloth) {
         v.field("vertex", attachment.vertex);
         v.field("body", attachment.body);
         v.field("point", attachment.point);
+        v.field("holder", attachment.holder);
         if (!v.loading() || v.failed()) return;
         if (const Status s = check(attachment, cloth.sheet.size()); !s.ok())
             v.fail("vertex", s.error().message);
@@ -160,6 +161,8 @@ void visit_cloth(StateVisitor& v, Cloth& cloth) {
     bounded(v, "rest_time", cloth.rest_time, 0, 1e12);
     visit_contacts(v, cloth);
     cloth.bodies.visit(v);
+    if (v.loading() && !cloth.bodies.has_grabs_of(supports_of(cloth)))
+        v.fail("attachments", "have holders without a grab");
 }
 
 }  // namespace

@@ -36,9 +36,7 @@ void drop_lost_bodies(const World& world, Cloth& cloth) {
         return !is_null(attachment.body) && !world.contains(attachment.body);
     });
     if (cloth.attachments.size() != before) wake(cloth);
-    std::vector<BodyId> attached;
-    for (const ClothAttachment& attachment : cloth.attachments) attached.push_back(attachment.body);
-    cloth.bodies.begin_step(world, std::move(attached));
+    cloth.bodies.begin_step(world, supports_of(cloth));
 }
 
 // Bodies that may reach the cloth in this step join its group before they touch it: otherwise they
@@ -73,6 +71,7 @@ public:
         : cloth_(cloth), gravity_(gravity), h_(h), bends_(bends) {}
 
     void run() {
+        cloth_.bodies.pull_grabs(h_);
         cloth_.bodies.place(cloth_.nearby);
         find_contacts(cloth_, h_, gravity_);
         cloth_.sheet.predict(h_, gravity_);

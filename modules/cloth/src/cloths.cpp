@@ -137,6 +137,8 @@ Status Cloths::attach(World& world, ClothKey key, const ClothAttachment& attachm
     Cloth* cloth = find(key);
     if (cloth == nullptr) return unknown(key);
     if (Status s = cloth_detail::check(attachment, cloth->sheet.size()); !s.ok()) return s;
+    if (attachment.holder != 0)
+        return Error{ErrorCode::invalid_argument, "holder: must be 0; use grab()"};
     if (!is_null(attachment.body) && !world.contains(attachment.body))
         return Error{ErrorCode::not_found, "body: no body has this id"};
     const auto at = std::ranges::lower_bound(cloth->attachments, attachment.vertex, {},

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "jostle/modules/settings.h"
 #include "jostle/physics/scalar.h"
 
 namespace jostle::modules {
@@ -16,6 +17,7 @@ namespace {
 constexpr std::uint32_t touch_memory = 10;
 // A sleeping body wakes if an impulse would move it faster than this, m/s.
 constexpr double wake_speed = 0.02;
+constexpr double impulse_max = 1e12;  // N s and N m s, of loaded states
 
 // Of a body outside of the group; inside, SubstepContext::response() is exact.
 BodyResponse response_of(const BodyState& body, Vec3 gravity) {
@@ -40,6 +42,16 @@ CarriedBody carried(const BodyState& body, Vec3 gravity) {
     c.rotation = body.pose.rotation;
     c.origin = {inverse_rotate(body.pose.rotation, body.pose.position - body.center), {}};
     c.response = response_of(body, gravity);
+    return c;
+}
+
+CarriedBody carried(const PointGrab& grab) {
+    CarriedBody c;
+    c.holder = grab.holder;
+    c.center = c.start_center = grab.position;
+    c.velocity = grab.velocity;
+    const double response = 1 / grab.mass;
+    c.response.inverse_mass = {response, response, response};
     return c;
 }
 
@@ -81,18 +93,20 @@ void CarriedBody::push_both(Vec3 linear, Vec3 angular) {
     spin += response.inverse_inertia * angular;
 }
 
-void CarriedBodies::begin_step(const World& world, std::vector<BodyId> attached) {
-    attached_ids_ = std::move(attached);
+void CarriedBodies::begin_step(const World& world, std::vector<Support> supports) {
+    supports_ = std::move(supports);
     std::erase_if(touched_, [&](const Touched& touched) { return !world.contains(touched.body); });
+    std::erase_if(grabs_, [&](const PointGrab& grab) {
+        return std::ranges::find(supports_, grab.holder, &Support::holder) == supports_.end();
+    });
 }
 
 bool CarriedBodies::any_moves(const World& world, const NearbyShapes& nearby) const {
-    return std::ranges::any_of(
-               attached_ids_,
-               [&](BodyId body) { return !is_null(body) && is_moving(world, body); }) ||
-           std::ranges::any_of(nearby.bodies(), [&](const NearbyShapes::Body& body) {
-               return body.type != BodyType::static_body && is_moving(world, body.id);
-           });
+    return !grabs_.empty() || std::ranges::any_of(supports_, [&](const Support& support) {
+        return !is_null(support.body) && is_moving(world, support.body);
+    }) || std::ranges::any_of(nearby.bodies(), [&](const NearbyShapes::Body& body) {
+        return body.type != BodyType::static_body && is_moving(world, body.id);
+    });
 }
 
 void CarriedBodies::forget_old_contacts() {
@@ -105,8 +119,8 @@ void CarriedBodies::tie(World& world) {
         const Result<BodyState> body = world.body(id);
         if (body.ok() && body->type == BodyType::dynamic) bodies.push_back(id);
     };
-    for (const BodyId body : attached_ids_)
-        if (!is_null(body)) add(body);
+    for (const Support& support : supports_)
+        if (!is_null(support.body)) add(support.body);
     for (const Touched& touched : touched_) add(touched.body);
     std::ranges::sort(bodies);
     bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
@@ -128,11 +142,24 @@ void CarriedBodies::find(const World& world, const NearbyShapes& nearby) {
     bodies_.clear();
     attached_.clear();
     nearby_.clear();
-    for (const BodyId body : attached_ids_)
-        attached_.push_back(is_null(body) ? none : carry(world, body));
+    for (const Support& support : supports_) {
+        if (const PointGrab* held = support.holder == 0 ? nullptr : grab(support.holder)) {
+            attached_.push_back(static_cast<std::uint32_t>(bodies_.size()));
+            bodies_.push_back(carried(*held));
+        } else {
+            attached_.push_back(is_null(support.body) ? none : carry(world, support.body));
+        }
+    }
     for (const NearbyShapes::Body& body : nearby.bodies()) nearby_.push_back(carry(world, body.id));
     for (const std::uint32_t body : attached_)
         if (body != none) bodies_[body].attached++;
+    pushes_as_before_ = false;
+    for (CarriedBody& body : bodies_) {
+        const auto push = std::ranges::lower_bound(last_pushes_, body.id, {}, &LastPush::body);
+        if (push == last_pushes_.end() || push->body != body.id) continue;
+        body.last = push->impulse;
+        body.last_angular = push->angular_impulse;
+    }
 }
 
 bool CarriedBodies::touch(BodyId body) {
@@ -146,7 +173,7 @@ bool CarriedBodies::touch(BodyId body) {
 }
 
 bool CarriedBodies::is_attached_to(BodyId body) const {
-    return !is_null(body) && std::ranges::find(attached_ids_, body) != attached_ids_.end();
+    return !is_null(body) && std::ranges::find(supports_, body, &Support::body) != supports_.end();
 }
 
 bool CarriedBodies::was_touched(BodyId body) const {
@@ -159,6 +186,26 @@ double CarriedBodies::greatest_speed() const {
     return square_root(most);
 }
 
+namespace {
+
+void push(SubstepContext& group, const CarriedBody& body, Vec3 impulse, Vec3 angular_impulse,
+          Vec3 center) {
+    if (impulse != Vec3{}) group.add_impulse(body.id, impulse, center);
+    if (angular_impulse != Vec3{}) group.add_angular_impulse(body.id, angular_impulse);
+}
+
+}  // namespace
+
+void CarriedBodies::push_as_before(SubstepContext& group) {
+    pushes_as_before_ = true;
+    for (CarriedBody& body : bodies_) {
+        if (body.type != BodyType::dynamic || !group.contains(body.id)) continue;
+        body.expected = body.last;
+        body.expected_angular = body.last_angular;
+        push(group, body, body.expected, body.expected_angular, group.body(body.id).center);
+    }
+}
+
 void CarriedBodies::read(const SubstepContext* group) {
     for (CarriedBody& body : bodies_) {
         if (body.type != BodyType::dynamic) continue;
@@ -166,10 +213,10 @@ void CarriedBodies::read(const SubstepContext* group) {
         if (!body.in_group) continue;
         const MovingBody now = group->body(body.id);
         body.center = body.start_center = now.center;
-        body.velocity = now.linear_velocity;
-        body.spin = now.angular_velocity;
         body.rotation = now.pose.rotation;
         body.response = group->response(body.id);
+        body.velocity = now.linear_velocity - scaled(body.expected, body.response.inverse_mass);
+        body.spin = now.angular_velocity - body.response.inverse_inertia * body.expected_angular;
         body.impulse = body.angular_impulse = {};
     }
 }
@@ -177,10 +224,21 @@ void CarriedBodies::read(const SubstepContext* group) {
 void CarriedBodies::write(SubstepContext* group) {
     for (CarriedBody& body : bodies_) {
         if (!body.in_group) continue;
-        if (body.impulse != Vec3{}) group->add_impulse(body.id, body.impulse, body.start_center);
-        if (body.angular_impulse != Vec3{})
-            group->add_angular_impulse(body.id, body.angular_impulse);
-        body.impulse = body.angular_impulse = {};
+        push(*group, body, body.impulse - body.expected,
+             body.angular_impulse - body.expected_angular, body.start_center);
+        body.last = std::exchange(body.impulse, {});
+        body.last_angular = std::exchange(body.angular_impulse, {});
+        body.expected = body.expected_angular = {};
+    }
+}
+
+void CarriedBodies::pull_grabs(double h) {
+    for (CarriedBody& body : bodies_) {
+        if (body.holder == 0) continue;
+        PointGrab now = *grab(body.holder);
+        now.position = body.center;
+        now.velocity = body.velocity;
+        body.response.acceleration = now.pull(h);
     }
 }
 
@@ -205,9 +263,22 @@ void CarriedBodies::move(double h) {
 }
 
 bool CarriedBodies::finish_step(World& world) {
+    last_pushes_.clear();
+    if (pushes_as_before_)
+        for (const CarriedBody& body : bodies_)
+            if (body.in_group && (body.last != Vec3{} || body.last_angular != Vec3{}))
+                last_pushes_.push_back({body.id, body.last, body.last_angular});
+    std::ranges::sort(last_pushes_, {}, &LastPush::body);
     bool rest = true;
     for (const CarriedBody& body : bodies_) {
         if (body.type != BodyType::dynamic) continue;
+        if (body.holder != 0) {
+            PointGrab& held = *grab(body.holder);
+            held.position = body.center;
+            held.velocity = body.velocity;
+            rest = false;
+            continue;
+        }
         rest = rest && !is_moving(world, body.id);
         if (body.in_group || (body.impulse == Vec3{} && body.angular_impulse == Vec3{})) continue;
         const Result<BodyState> state = world.body(body.id);
@@ -226,18 +297,50 @@ bool CarriedBodies::all_asleep(const World& world) const {
     });
 }
 
+bool CarriedBodies::has_grabs_of(std::span<const Support> supports) {
+    return std::ranges::all_of(supports, [&](const Support& support) {
+        return support.holder == 0 || grab(support.holder) != nullptr;
+    });
+}
+
+PointGrab* CarriedBodies::grab(std::uint32_t holder) {
+    const auto found = std::ranges::lower_bound(grabs_, holder, {}, &PointGrab::holder);
+    return found != grabs_.end() && found->holder == holder ? &*found : nullptr;
+}
+
+void CarriedBodies::add_grab(const PointGrab& added) {
+    remove_grab(added.holder);
+    grabs_.insert(std::ranges::lower_bound(grabs_, added.holder, {}, &PointGrab::holder), added);
+}
+
+void CarriedBodies::remove_grab(std::uint32_t holder) {
+    std::erase_if(grabs_, [&](const PointGrab& each) { return each.holder == holder; });
+}
+
 void CarriedBodies::visit(StateVisitor& v) {
     v.all("touched", touched_, [&](Touched& touched) {
         v.field("body", touched.body);
         v.field("steps_since", touched.steps_since);
     });
+    v.all("last_pushes", last_pushes_, [&](LastPush& push) {
+        v.field("body", push.body);
+        bounded(v, "impulse", push.impulse, impulse_max);
+        bounded(v, "angular_impulse", push.angular_impulse, impulse_max);
+    });
     v.enter("ties");
     ties_.visit(v);
     v.leave();
+    v.all("grabs", grabs_, [&](PointGrab& grab) { grab.visit(v); });
     if (!v.loading() || v.failed()) return;
+    for (std::size_t k = 1; k < grabs_.size(); k++)
+        if (grabs_[k].holder <= grabs_[k - 1].holder)
+            return v.fail("grabs", "have holders that are not strictly increasing");
     for (std::size_t k = 1; k < touched_.size(); k++)
         if (!(touched_[k - 1].body < touched_[k].body))
             return v.fail("touched", "has bodies that are not strictly increasing");
+    for (std::size_t k = 1; k < last_pushes_.size(); k++)
+        if (!(last_pushes_[k - 1].body < last_pushes_[k].body))
+            return v.fail("last_pushes", "has bodies that are not strictly increasing");
 }
 
 }  // namespace jostle::modules

@@ -2,11 +2,15 @@
 #include "jostle/modules/blast.h"
 
 #include <algorithm>
-#include <optional>
-#include <span>
+#include <array>
+#include <cmath>
+#include <cstdint>
+#include <map>
 
+#include "jostle/modules/deformables.h"
 #include "jostle/physics/limits.h"
 #include "modules/fields/src/blast_points.h"
+#include "modules/fields/src/blast_visibility.h"
 #include "modules/fields/src/body_field_cache.h"
 #include "modules/fields/src/field_checks.h"
 
@@ -14,73 +18,11 @@ namespace jostle::modules {
 
 using namespace physics;
 using fields_detail::BlastPoint;
+using fields_detail::BlastVisibility;
+using fields_detail::offset_center;
+using fields_detail::strength_at;
 
 namespace {
-
-constexpr double ray_start_offset = 0.01;  // m from the centre at which rays start
-constexpr double hit_tolerance = 1e-3;     // m: a hit nearer to a point than this is at the point
-
-// Impulse per area that faces the centre, N s/m^2.
-double strength_at(const Explosion& e, double distance) {
-    if (distance >= e.radius) return 0;
-    double strength = e.strength;
-    const double share = e.core / maximum(distance, e.core);
-    for (std::uint32_t k = 0; k < e.falloff; k++) strength *= share;
-    return e.fade ? strength * (1 - distance / e.radius) : strength;
-}
-
-// Moves the centre out of surfaces that are too near; in a corner, out of one after the other.
-Vec3 offset_center(const Queries& queries, const Explosion& e) {
-    Vec3 center = e.center;
-    for (int k = 0; k < 3 && e.standoff > 0; k++) {
-        const auto near = queries.closest_point(center, e.standoff);
-        if (!near.ok() || !*near || (*near)->distance >= e.standoff * (1 - 1e-9)) break;
-        center = (*near)->point + (*near)->normal * e.standoff;
-    }
-    return center;
-}
-
-// Line-of-sight tests from the centre of an explosion.
-class BlastVisibility {
-public:
-    BlastVisibility(const Queries& queries, Vec3 center) : queries_(queries), center_(center) {
-        if (auto shapes = queries.shapes_at(center); shapes.ok())
-            enclosing_shapes_ = std::move(*shapes);
-    }
-
-    // A convex shape does not hide its own surface that faces the centre. Children of a compound
-    // may hide each other.
-    bool is_visible(const BlastPoint& point, ShapeId shape, bool is_compound) const {
-        const std::optional<RayHit> hit = first_hit(point.position);
-        if (!hit) return true;
-        const double left = length(point.position - hit->point);
-        if (left <= hit_tolerance) return true;
-        if (hit->shape != shape) return false;
-        return !is_compound || left <= 0.1 * square_root(length(point.area));
-    }
-
-private:
-    std::optional<RayHit> first_hit(Vec3 point) const {
-        const Vec3 offset = point - center_;
-        const double distance = length(offset);
-        const Vec3 start = center_ + offset * minimum(ray_start_offset / distance, 0.5);
-        const Ray ray{.origin = start, .motion = point - start};
-        if (enclosing_shapes_.empty()) {
-            const auto hit = queries_.cast_ray(ray);
-            return hit.ok() ? *hit : std::nullopt;
-        }
-        const auto hits = queries_.cast_ray_all(ray);
-        if (!hits.ok()) return std::nullopt;
-        for (const RayHit& hit : *hits)
-            if (std::ranges::find(enclosing_shapes_, hit.shape) == enclosing_shapes_.end())
-                return hit;
-        return std::nullopt;
-    }
-
-    const Queries& queries_;
-    Vec3 center_;
-    std::vector<ShapeId> enclosing_shapes_;  // shapes that contain the centre
-};
 
 // Fraction of the impulse that is applied, 1 for all. It also respects the limits of
 // World::apply_impulse().
@@ -199,7 +141,39 @@ Result<std::vector<BlastImpulse>> explode(World& world, const Explosion& explosi
         if (Status s = world.apply_angular_impulse(push.body, push.angular_impulse); !s.ok())
             return s.error();
     }
+    if (Status s = push_deformables(world, explosion); !s.ok()) return s.error();
     return impulses;
+}
+
+Status push_deformables(World& world, const Explosion& explosion) {
+    if (Status s = fields_detail::check(explosion); !s.ok()) return s;
+    const Queries queries = world.queries();
+    const Vec3 center = offset_center(queries, explosion);
+    const BlastVisibility visibility(queries, center);
+    // Neighbouring points see the centre alike: one ray for each cell of a grid.
+    const double cell = explosion.radius / 16;
+    std::map<std::array<std::int64_t, 3>, bool> seen;
+    const auto is_seen = [&](Vec3 point) {
+        const Vec3 at = (point - center) * (1 / cell);
+        const std::array<std::int64_t, 3> key{static_cast<std::int64_t>(std::floor(at.x)),
+                                              static_cast<std::int64_t>(std::floor(at.y)),
+                                              static_cast<std::int64_t>(std::floor(at.z))};
+        const auto [entry, is_new] = seen.try_emplace(key, false);
+        if (is_new) entry->second = visibility.is_visible(point);
+        return entry->second;
+    };
+    apply_pulse(world,
+                {.center = center,
+                 .radius = explosion.radius,
+                 .max_speed = explosion.max_speed > 0 ? explosion.max_speed : limits::max_speed,
+                 .impulse_per_area = [&](Vec3 point) {
+                     const Vec3 offset = point - center;
+                     const double distance = length(offset);
+                     const double strength = strength_at(explosion, distance);
+                     if (!(distance > 1e-9) || strength == 0 || !is_seen(point)) return Vec3{};
+                     return offset * (strength / distance);
+                 }});
+    return {};
 }
 
 }  // namespace jostle::modules

@@ -242,6 +242,17 @@ void ParticleGroup::remove_expired() {
     ages_.resize(left), lifetimes_.resize(left), ids_.resize(left);
 }
 
+void ParticleGroup::apply_pulse(const PressurePulse& pulse) {
+    if (def_.cosmetic || def_.radius == 0) return;
+    const double area = pi * def_.radius * def_.radius;
+    for (std::size_t k = 0; k < positions_.size(); k++) {
+        if (length_squared(positions_[k] - pulse.center) >= pulse.radius * pulse.radius) continue;
+        Vec3 change = pulse.change_of(positions_[k], area, def_.mass);
+        if (def_.planar) change.z = 0;
+        velocities_[k] += change;
+    }
+}
+
 double ParticleGroup::kinetic_energy() const {
     double sum = 0;
     for (const Vec3& v : velocities_) sum += length_squared(v);

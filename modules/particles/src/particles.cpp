@@ -82,6 +82,10 @@ void Particles::refresh_fields(const World& world) {
         if (const Result<FieldDef> field = world.field(id); field.ok()) fields_.push_back(*field);
 }
 
+void Particles::apply_pulse(World&, const PressurePulse& pulse) {
+    for (Entry& entry : entries_) entry.group.apply_pulse(pulse);
+}
+
 void Particles::after_step(World& world, double dt) {
     if (entries_.empty()) return;
     // A module that was added late or whose world was at rest emits nothing for the past.

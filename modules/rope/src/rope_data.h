@@ -51,4 +51,11 @@ struct Rope {
     StrandScratch scratch;
 };
 
+inline std::vector<Support> supports_of(const Rope& rope) {
+    std::vector<Support> supports;
+    for (const RopeAttachment& attachment : rope.attachments)
+        supports.push_back({attachment.body, attachment.holder});
+    return supports;
+}
+
 }  // namespace jostle::modules::rope_detail

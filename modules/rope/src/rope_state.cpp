@@ -85,6 +85,7 @@ void visit_attachments(StateVisitor& v, Rope& rope) {
         v.field("body", attachment.body);
         v.field("point", attachment.point);
         v.field("direction", attachment.direction);
+        v.field("holder", attachment.holder);
         if (!v.loading() || v.failed()) return;
         if (const Status s = check(attachment, rope.strand.links()); !s.ok())
             v.fail("node", s.error().message);
@@ -127,6 +128,8 @@ void visit_rope(StateVisitor& v, Rope& rope) {
     visit_contacts(v, rope);
     rope.bodies.visit(v);
     if (!v.loading()) return;
+    if (!rope.bodies.has_grabs_of(supports_of(rope)))
+        v.fail("attachments", "have holders without a grab");
     rope.strand.mass_per_length = rope.def.mass_per_length;
     rope.strand.stretch_stiffness = rope.def.stretch_stiffness;
     rope.strand.bending_stiffness = rope.def.bending_stiffness;

@@ -41,9 +41,7 @@ void drop_lost_bodies(const World& world, Rope& rope) {
         return !is_null(attachment.body) && !world.contains(attachment.body);
     });
     if (rope.attachments.size() != before) wake(rope);
-    std::vector<BodyId> attached;
-    for (const RopeAttachment& attachment : rope.attachments) attached.push_back(attachment.body);
-    rope.bodies.begin_step(world, std::move(attached));
+    rope.bodies.begin_step(world, supports_of(rope));
 }
 
 // ---- a sub-step ----
@@ -57,6 +55,7 @@ public:
         rope_.bodies.read(substep_.group);
         for (int n = 0; n < parts; n++) {
             run_winches(rope_, h_, dt_);
+            rope_.bodies.pull_grabs(h_);
             rope_.bodies.place(rope_.nearby);
             find_contacts();
             count_shares();

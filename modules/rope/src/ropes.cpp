@@ -57,6 +57,13 @@ bool same_material(const RopeDef& a, const RopeDef& b) {
            a.bending_stiffness == b.bending_stiffness && a.radius == b.radius;
 }
 
+void move_grab_of(const RopeAttachment& attachment, Rope& from, Rope& to) {
+    if (const PointGrab* grab = from.bodies.grab(attachment.holder)) {
+        to.bodies.add_grab(*grab);
+        from.bodies.remove_grab(attachment.holder);
+    }
+}
+
 template <class T>
 void append(std::vector<T>& to, const std::vector<T>& from, std::size_t first = 0) {
     to.insert(to.end(), from.begin() + static_cast<std::ptrdiff_t>(first), from.end());
@@ -146,6 +153,8 @@ Status Ropes::attach(World& world, RopeKey key, const RopeAttachment& attachment
     Rope* rope = find(key);
     if (rope == nullptr) return unknown(key);
     if (Status s = rope_detail::check(attachment, rope->strand.links()); !s.ok()) return s;
+    if (attachment.holder != 0)
+        return Error{ErrorCode::invalid_argument, "holder: must be 0; use grab()"};
     if (!is_null(attachment.body) && !world.contains(attachment.body))
         return Error{ErrorCode::not_found, "body: no body has this id"};
     const auto at =
@@ -222,6 +231,7 @@ Result<RopeKey> Ropes::split(World& world, Rope& rope, std::size_t node, RopeEve
         if (attachment.node <= node) continue;
         attachment.node -= static_cast<std::uint32_t>(node);
         rest->attachments.push_back(attachment);
+        move_grab_of(attachment, rope, *rest);
     }
     std::erase_if(rope.attachments,
                   [&](const RopeAttachment& attachment) { return attachment.node > node; });
@@ -283,6 +293,7 @@ Status Ropes::join(World& world, RopeKey key, RopeKey next_key) {
         if (rope->attachments.size() >= attachments_max) break;
         attachment.node += offset;
         rope->attachments.push_back(attachment);
+        move_grab_of(attachment, *next, *rope);
     }
     rope->winch[1] = next->winch[1];
     // Directions are held at the ends only.
@@ -341,6 +352,9 @@ void Ropes::before_step(World& world, double dt) {
 void Ropes::before_substep(SubstepContext& substep) {
     const rope_detail::RopeSubstep own{substep.h(), substep.world().gravity(), substep.time(),
                                        fields_, &substep};
+    for (const auto& rope : ropes_)
+        if (rope->awake && rope->bodies.ties().owned_by(substep))
+            rope->bodies.push_as_before(substep);
     for (const auto& rope : ropes_)
         if (rope->awake && rope->bodies.ties().owned_by(substep))
             rope_detail::advance(*rope, own, substep.count());

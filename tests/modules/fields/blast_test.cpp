@@ -5,6 +5,11 @@
 
 #include <gtest/gtest.h>
 
+#include <memory>
+#include <utility>
+#include <vector>
+
+#include "jostle/modules/deformables.h"
 #include "tests/modules/fields/with_fields.h"
 #include "tests/support/near.h"
 #include "tests/support/random.h"
@@ -199,6 +204,40 @@ TEST(Blast, charge_explodes_at_its_time) {
     EXPECT_EQ(fields.blasts().size(), Fields::blasts_max);
     test::must(world.step(1.0 / 60));
     EXPECT_EQ(fields.blasts().size(), 12 - Fields::blasts_max);
+}
+
+// Records the pulse at two points.
+class Probe : public Module, public PulseReceiver {
+public:
+    explicit Probe(std::vector<Vec3> points) : points_(std::move(points)) {}
+    std::string_view tag() const override { return "probe"; }
+    void visit(StateVisitor&) override {}
+    void apply_pulse(World&, const PressurePulse& pulse) override {
+        for (const Vec3 point : points_) pressures.push_back(pulse.impulse_per_area(point));
+        max_speed = pulse.max_speed;
+    }
+
+    std::vector<Vec3> pressures;
+    double max_speed = 0;
+
+private:
+    std::vector<Vec3> points_;
+};
+
+TEST(Blast, pushes_the_matter_of_modules_that_it_sees) {
+    World world = test::make_world({.gravity = {}});
+    test::add_static(world, {.geometry = Box{{0.1, 2, 2}}, .position = {3, 0, 0}});
+    auto owned = std::make_unique<Probe>(std::vector<Vec3>{{-4, 0, 0}, {4, 0, 0}, {0, 20, 0}});
+    const Probe& probe = *owned;
+    test::must(world.add_module(std::move(owned)));
+    test::must(push_deformables(
+        world, {.radius = 10, .strength = 100, .core = 2, .falloff = 1, .max_speed = 7}));
+    ASSERT_EQ(probe.pressures.size(), 3u);
+    EXPECT_NEAR(probe.pressures[0].x, -100 * (2.0 / 4) * (1 - 4.0 / 10), 1e-9);
+    EXPECT_EQ(probe.pressures[1], Vec3{}) << "behind the wall";
+    EXPECT_EQ(probe.pressures[2], Vec3{}) << "beyond the radius";
+    EXPECT_EQ(probe.max_speed, 7);
+    EXPECT_FALSE(push_deformables(world, {.radius = -1}).ok());
 }
 
 }  // namespace

@@ -46,6 +46,7 @@ Action any_action(test::Random& random) {
                               ImpulseCommand{0, random.vector(30), {}, aim},
                               GrabCommand{entity, random.vector(3)},
                               GrabCommand{0, {}, aim},
+                              CutCommand{.point_object = 3},
                               DragCommand{random.vector(5)},
                               ReleaseCommand{},
                               DeleteCommand{entity},
@@ -133,6 +134,26 @@ TEST(JournalCodec, undo_is_a_separate_entry_of_version_4) {
               ErrorCode::corrupt_data);
 }
 
+TEST(JournalCodec, targets_on_ropes_and_cloths_need_version_5) {
+    const DeformableTarget target{"rope", 3, 14};
+    const JournalSegment written{
+        .ticks = {{4,
+                   {{1, 1, GrabCommand{.point = {1, 2, 3}, .deformable = target}},
+                    {1, 2, GrabCommand{.entity = 5, .point = {1, 2, 3}}},
+                    {2, 1, CutCommand{.point = {4, 5, 6}, .deformable = target}}}}},
+        .paused_ticks = {}};
+    const std::string bytes = encode_journal(written);
+    EXPECT_EQ(bytes[0], 5);
+    const JournalSegment read = decode_journal(bytes).value();
+    const auto& commands = read.ticks.at(0).commands;
+    EXPECT_EQ(std::get<GrabCommand>(*commands.at(0).action).deformable, target);
+    EXPECT_EQ(std::get<GrabCommand>(*commands.at(1).action).deformable, std::nullopt);
+    EXPECT_EQ(std::get<GrabCommand>(*commands.at(1).action).entity, 5u);
+    EXPECT_EQ(std::get<CutCommand>(*commands.at(2).action).deformable, target);
+    EXPECT_EQ(std::get<CutCommand>(*commands.at(2).action).point, (physics::Vec3{4, 5, 6}));
+    EXPECT_FALSE(read.undo);
+}
+
 TEST(JournalCodec, truncated_or_changed_bytes_are_rejected_or_read_within_bounds) {
     HostedWorld world = sandbox();
     const std::string whole = encode_journal(play(world, 12));
@@ -141,7 +162,7 @@ TEST(JournalCodec, truncated_or_changed_bytes_are_rejected_or_read_within_bounds
     EXPECT_EQ(error_of(decode_journal(whole + "x")).message,
               "corrupt journal record: data after the end");
     EXPECT_EQ(error_of(decode_journal("\x07")).message,
-              "corrupt journal record: version 7; this server reads versions 2 to 4");
+              "corrupt journal record: version 7; this server reads versions 2 to 5");
     test::Random random(5);
     int read = 0;
     for (int k = 0; k < 2000; k++) {

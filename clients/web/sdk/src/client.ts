@@ -188,11 +188,21 @@ export class Client {
   }
 
   /**
-   * Attaches a spring to a point of a body, in the world; drag() moves its other end. A client holds
-   * one body at a time.
+   * Attaches a spring to a point of a body, in the world; drag() moves its other end. A client grabs
+   * one thing at a time.
    */
   grab(entity: number, point: Vector): void {
     this.send({ case: 'grab', value: { entity, point } });
+  }
+
+  /** The same for the point of a rope or cloth (PointObject.id) that is nearest to `point`. */
+  grabPoint(object: number, point: Vector): void {
+    this.send({ case: 'grab', value: { object, point } });
+  }
+
+  /** Cuts a rope or tears a cloth (PointObject.id) at its inner point nearest to `point`, in the world. */
+  cut(object: number, point: Vector): void {
+    this.send({ case: 'cut', value: { object, point } });
   }
 
   /** Moves the target of the grabbed point, in the world. */
@@ -200,7 +210,7 @@ export class Client {
     this.send({ case: 'drag', value: { target } });
   }
 
-  /** Releases the grabbed body. */
+  /** Releases what the client has grabbed. */
   release(): void {
     this.send({ case: 'release', value: {} });
   }

@@ -1,7 +1,7 @@
 // Tests the viewer in headless Chromium against a real server: joining, dragging, throwing, shapes of
 // every kind, module renderers, picking by the server, the debug view, events, prediction over a slow
-// network, recordings, resuming after a server failure, and controlling a car, a character and a boat;
-// and the example of the SDK.
+// network, recordings, resuming after a server failure, dragging and cutting a rope, and controlling a
+// car, a character and a boat; and the example of the SDK.
 // Usage: node viewer/e2e/viewer.mjs SERVER_BINARY [--screenshot FILE]
 // FILE shows the sandbox, FILE-shapes the debug view of a world of shapes. The exit status is 1 if a
 // test fails.
@@ -13,6 +13,7 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import { testControl } from './control.mjs';
+import { testDeformables } from './deformables.mjs';
 import { testPrediction } from './prediction.mjs';
 import { testRecording } from './recording.mjs';
 import { testResume } from './resume.mjs';
@@ -228,6 +229,9 @@ try {
   await otherPage.close();
 
   // Created last, because its waves cost the server more than all other worlds.
+  const swings = await post('/api/worlds', { name: 'swings', sceneName: 'swings' });
+  expect(swings.ok, `the playground is created: ${swings.status}`);
+  await testDeformables({ page, url: `http://127.0.0.1:${ports.http}`, until, expect, takeScreenshot: screenshot && takeScreenshot });
   const harbour = await post('/api/worlds', { name: 'harbour', sceneName: 'harbour' });
   expect(harbour.ok, `the harbour is created: ${harbour.status}`);
   await testControl({ page, url: `http://127.0.0.1:${ports.http}`, until, expect, takeScreenshot: screenshot && takeScreenshot });

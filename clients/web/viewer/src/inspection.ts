@@ -26,6 +26,11 @@ export interface Inspected {
 }
 
 export function exposeInspection({ connection, view, moduleView, pointObjectsView, camera, driving, statsPanel, recording, prediction, controllableEntities }: Inspected): void {
+  /** Position of a point of the world on the page, in pixels. */
+  const toScreen = (x: number, y: number, z: number) => {
+    const p = new THREE.Vector3(x, y, z).project(camera.camera);
+    return { x: ((p.x + 1) / 2) * innerWidth, y: ((1 - p.y) / 2) * innerHeight };
+  };
   const value = {
     get state() {
       return connection.state;
@@ -40,6 +45,11 @@ export function exposeInspection({ connection, view, moduleView, pointObjectsVie
     /** Drawn point objects. */
     get pointObjectCount() {
       return pointObjectsView.count;
+    },
+    /** Rendered points of a point object (x y z ...) by its index; undefined: there is none. */
+    pointsOf: (index: number) => {
+      const object = [...connection.points.objects.values()][index];
+      return object?.hasPoints ? [...object.positions.subarray(0, 3 * object.count)] : undefined;
     },
     get snapshots() {
       return connection.snapshots;
@@ -87,10 +97,9 @@ export function exposeInspection({ connection, view, moduleView, pointObjectsVie
     /** Position of an entity on the page, in pixels. */
     screenPosition: (id: number) => {
       const pose = view.poseOf(id);
-      if (!pose) return undefined;
-      const p = new THREE.Vector3(pose[0], pose[1], pose[2]).project(camera.camera);
-      return { x: ((p.x + 1) / 2) * innerWidth, y: ((1 - p.y) / 2) * innerHeight };
+      return pose && toScreen(pose[0]!, pose[1]!, pose[2]!);
     },
+    toScreen,
     /** Number of rendered parts of each kind. */
     partCounts: () => view.partCounts(),
     /** Number of lines that modules rendered in the last frame. */

@@ -1,4 +1,4 @@
-// Pointer tools: drag, throw, spawn, explode, delete, drive. Each turns clicks into inputs, which the
+// Pointer tools: drag, throw, spawn, explode, cut, delete, drive. Each turns clicks into inputs, which the
 // server evaluates. The pressed body is looked up in the rendered scene, so that dragging starts
 // immediately, and corrected by the server's response.
 
@@ -6,13 +6,14 @@ import * as THREE from 'three';
 import type { Camera } from '../camera/camera';
 import type { Connection, Input, Queries } from '@jostle/client';
 import { Throttle } from './throttle';
+import { pickPoints, type PointPick } from './pick_points';
 import { pickFromServer, pickRendered, choosePick, type Pick } from './pick';
 import type { SceneView } from '../scene/scene_view';
 
-export type Tool = 'drag' | 'throw' | 'box' | 'sphere' | 'capsule' | 'explode' | 'delete' | 'drive';
+export type Tool = 'drag' | 'throw' | 'box' | 'sphere' | 'capsule' | 'explode' | 'cut' | 'delete' | 'drive';
 
 export const TOOLS: { tool: Tool; key: string; label: string; hint: string }[] = [
-  { tool: 'drag', key: '1', label: 'Drag', hint: 'Drag a body; drag the ground to turn the camera' },
+  { tool: 'drag', key: '1', label: 'Drag', hint: 'Drag a body, a rope or cloth; drag the ground to turn the camera' },
   { tool: 'throw', key: '2', label: 'Throw', hint: 'Click to throw a ball from the camera' },
   { tool: 'box', key: '3', label: 'Box', hint: 'Click to place a box' },
   { tool: 'sphere', key: '4', label: 'Ball', hint: 'Click to place a ball' },
@@ -20,6 +21,7 @@ export const TOOLS: { tool: Tool; key: string; label: string; hint: string }[] =
   { tool: 'explode', key: '6', label: 'Explode', hint: 'Click to trigger an explosion' },
   { tool: 'delete', key: '7', label: 'Delete', hint: 'Click a body that you spawned to delete it' },
   { tool: 'drive', key: '8', label: 'Drive', hint: 'Click a controllable entity to drive it; Esc releases it' },
+  { tool: 'cut', key: '9', label: 'Cut', hint: 'Click a rope or cloth to cut it' },
 ];
 
 const THROW_SPEED = 18; // m/s
@@ -39,6 +41,8 @@ interface PointerPress {
   readonly y: number;
   readonly raycaster: THREE.Raycaster;
   readonly rendered: Pick | undefined;
+  /** A rope or cloth in front of `rendered`. */
+  readonly points?: PointPick | undefined;
   readonly fromServer: ReturnType<typeof pickFromServer>;
   dragged?: boolean;
 }
@@ -99,32 +103,45 @@ export class Tools {
       return;
     }
     const rendered = pickRendered(this.view, raycaster);
-    const press: PointerPress = { x, y, raycaster, rendered, fromServer: pickFromServer(this.queries, raycaster.ray, this.connection.renderedTime()) };
+    const points = this.pointsBefore(rendered, raycaster);
+    const fromServer = points ? Promise.resolve(undefined) : pickFromServer(this.queries, raycaster.ray, this.connection.renderedTime());
+    const press: PointerPress = { x, y, raycaster, rendered, points, fromServer };
     this.pressed = press;
     if (this.tool !== 'drag') return;
-    if (this.isDynamic(rendered)) this.grab(rendered, event.pointerId);
+    if (points) return this.grab(points.point, { case: 'grab', value: { object: points.object, point: xyz(points.point) } }, 0, event.pointerId);
+    if (this.isDynamic(rendered)) this.grabBody(rendered, event.pointerId);
     void press.fromServer.then((fromServer) => this.replacePick(press, choosePick(rendered, fromServer, this.isMoving), event.pointerId));
   }
 
-  private grab(hit: Pick, pointerId: number): void {
+  /** The rope or cloth under the pointer, unless a body is in front of it. */
+  private pointsBefore(rendered: Pick | undefined, raycaster: THREE.Raycaster): PointPick | undefined {
+    const points = pickPoints(this.connection.points.objects, raycaster.ray);
+    return points && points.distance < (rendered?.distance ?? Infinity) ? points : undefined;
+  }
+
+  private grabBody(hit: Pick, pointerId: number): void {
+    this.grab(hit.point, { case: 'grab', value: { entity: hit.entity, point: xyz(hit.point) } }, hit.entity, pointerId);
+  }
+
+  private grab(point: THREE.Vector3, input: NonNullable<Input['kind']>, entity: number, pointerId: number): void {
     this.camera.controls.enabled = false; // the pointer now moves the body instead of the camera
     const direction = this.camera.camera.getWorldDirection(new THREE.Vector3());
     this.grabbed = {
-      entity: hit.entity,
-      plane: new THREE.Plane().setFromNormalAndCoplanarPoint(direction, hit.point),
+      entity,
+      plane: new THREE.Plane().setFromNormalAndCoplanarPoint(direction, point),
     };
     this.canvas.setPointerCapture(pointerId);
-    this.send({ case: 'grab', value: { entity: hit.entity, point: xyz(hit.point) } });
-    this.send({ case: 'drag', value: { target: xyz(hit.point) } });
+    this.send(input);
+    this.send({ case: 'drag', value: { target: xyz(point) } });
   }
 
   /** The server responded; mostly with the rendered result. */
   private replacePick(press: PointerPress, hit: Pick | undefined, pointerId: number): void {
-    if (this.pressed !== press || this.grabbed?.entity === hit?.entity) return;
+    if (this.pressed !== press || press.points || this.grabbed?.entity === hit?.entity) return;
     if (this.grabbed) this.dropGrab();
     // A pointer that already turns the camera does not grab a body.
     else if (press.dragged) return;
-    if (this.isDynamic(hit)) this.grab(hit, pointerId);
+    if (this.isDynamic(hit)) this.grabBody(hit, pointerId);
   }
 
   private move(event: PointerEvent): void {
@@ -147,9 +164,10 @@ export class Tools {
     if (!event) return;
     const raycaster = this.ray(event);
     const rendered = pickRendered(this.view, raycaster);
+    const points = this.pointsBefore(rendered, raycaster);
     const hit = choosePick(rendered, await withTimeout(pickFromServer(this.queries, raycaster.ray, this.connection.renderedTime())), this.isMoving);
     if (!this.hovering) return; // the pointer left meanwhile
-    if (this.tool === 'drag') this.canvas.style.cursor = this.isDynamic(hit) ? 'grab' : '';
+    if (this.tool === 'drag') this.canvas.style.cursor = points || this.isDynamic(hit) ? 'grab' : '';
     this.onHover(hit);
   }
 
@@ -174,6 +192,8 @@ export class Tools {
   }
 
   private async click(press: PointerPress, tool: Tool): Promise<void> {
+    if (press.points && tool === 'cut') return this.send({ case: 'cut', value: { object: press.points.object, point: xyz(press.points.point) } });
+    if (press.points && tool === 'explode') return this.explode(press.points.point);
     const hit = choosePick(press.rendered, await withTimeout(press.fromServer), this.isMoving);
     if (!hit) return;
     switch (tool) {
@@ -187,13 +207,17 @@ export class Tools {
       case 'capsule':
         return this.spawn(hit, 0.6, { case: 'capsule', value: { radius: 0.22, halfLength: 0.35 } });
       case 'explode':
-        this.onExplosion(...hit.point.toArray(), BLAST_RADIUS);
-        return this.send({ case: 'explode', value: { center: xyz(hit.point), radius: BLAST_RADIUS, speed: 12 } });
+        return this.explode(hit.point);
       case 'delete':
         return this.send({ case: 'delete', value: { entity: hit.entity } });
       case 'drive':
         return this.takeControl(hit.entity);
     }
+  }
+
+  private explode(point: THREE.Vector3): void {
+    this.onExplosion(...point.toArray(), BLAST_RADIUS);
+    this.send({ case: 'explode', value: { center: xyz(point), radius: BLAST_RADIUS, speed: 12 } });
   }
 
   private spawn(

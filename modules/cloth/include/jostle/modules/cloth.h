@@ -17,11 +17,13 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
 #include "jostle/modules/cloth_def.h"
+#include "jostle/modules/deformables.h"
 #include "jostle/physics/module.h"
 #include "jostle/physics/world.h"
 
@@ -32,7 +34,7 @@ struct Cloth;
 }
 
 /// Module that owns the cloth of a world. Tag: "cloth".
-class Cloths : public physics::Module {
+class Cloths : public physics::Module, public Deformables {
 public:
     static constexpr std::size_t cloths_max = 256;        ///< maximum number of cloths
     static constexpr std::size_t vertices_max = 100000;   ///< of all cloths
@@ -81,6 +83,19 @@ public:
     bool is_awake(ClothKey cloth) const;
     /// Changes since the start of the last step, in order. Not saved.
     std::span<const ClothEvent> events() const { return events_; }
+
+    // --- tools of players: deformables.h. Objects are the numbers of keys, elements are vertices.
+    // cut_at() tears the threads of the nearest vertex. ---
+    std::optional<DeformableHit> cast_ray(const physics::Ray& ray) const override;
+    std::optional<DeformablePoint> nearest(std::uint32_t object,
+                                           physics::Vec3 point) const override;
+    physics::Status push(physics::World& world, DeformablePoint at, physics::Vec3 impulse) override;
+    physics::Status grab(physics::World& world, std::uint32_t holder, DeformablePoint at) override;
+    bool drag(std::uint32_t holder, physics::Vec3 target) override;
+    void release(std::uint32_t holder) override;
+    physics::Status cut_at(physics::World& world, std::uint32_t object,
+                           physics::Vec3 point) override;
+    void apply_pulse(physics::World& world, const PressurePulse& pulse) override;
 
     std::string_view tag() const override { return "cloth"; }
     void visit(physics::StateVisitor& v) override;

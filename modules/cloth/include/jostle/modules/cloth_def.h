@@ -68,11 +68,13 @@ struct ClothDef {
     bool operator==(const ClothDef&) const = default;
 };
 
-/// Holds a vertex of a cloth at a body or in the world.
+/// Holds a vertex of a cloth at a body, in the world, or with a grab.
 struct ClothAttachment {
     std::uint32_t vertex = 0;
     physics::BodyId body = {};  ///< null: the world
     physics::Vec3 point = {};   ///< m, in the body's frame or in the world, within 1e6
+    /// The holder whose grab holds the vertex (Cloths::grab()); 0 in attach().
+    std::uint32_t holder = 0;
 
     bool operator==(const ClothAttachment&) const = default;
 };

@@ -3,7 +3,8 @@
 // The bodies that a deformable, such as a rope, is attached to or touches in a step: where they are
 // in each part of a sub-step, how they respond, and the impulses that they receive. All dynamic
 // ones are tied (island_ties.h), so one group of SubstepContext contains them. Impulses on bodies
-// outside of that group act after the step.
+// outside of that group act after the step. Grabs that hold the deformable (point_grab.h) are
+// carried like bodies.
 #pragma once
 
 #include <cstdint>
@@ -11,6 +12,7 @@
 #include <vector>
 
 #include "jostle/modules/island_ties.h"
+#include "jostle/modules/point_grab.h"
 #include "jostle/physics/nearby_shapes.h"
 #include "jostle/physics/state_visitor.h"
 #include "jostle/physics/step_listener.h"
@@ -18,9 +20,17 @@
 
 namespace jostle::modules {
 
-/// A body in a sub-step of a deformable. Its motion includes the impulses of the deformable.
+/// What an attachment holds to: a body, a grab, or, if both are zero, the world.
+struct Support {
+    physics::BodyId body = {};
+    std::uint32_t holder = 0;  ///< of the grab
+};
+
+/// A body or a grab in a sub-step of a deformable. Its motion includes the impulses of the
+/// deformable.
 struct CarriedBody {
     physics::BodyId id = {};
+    std::uint32_t holder = 0;  ///< not 0: it is the grab of this holder
     physics::BodyType type = physics::BodyType::dynamic;
     bool in_group = false;  ///< otherwise it gets the impulses after the step
     physics::Vec3 center = {}, velocity = {}, spin = {};
@@ -28,8 +38,10 @@ struct CarriedBody {
     physics::Quat rotation = {};
     physics::Transform origin = {};  ///< of the body relative to its centre, body axes
     physics::BodyResponse response = {};
-    physics::Vec3 impulse = {}, angular_impulse = {};  ///< N s, N m s: of this sub-step
-    std::uint32_t attached = 0, touching = 0;          ///< places that share its mass
+    physics::Vec3 impulse = {}, angular_impulse = {};    ///< N s, N m s: of this sub-step
+    physics::Vec3 last = {}, last_angular = {};          ///< of the last sub-step
+    physics::Vec3 expected = {}, expected_angular = {};  ///< that it got by push_as_before()
+    std::uint32_t attached = 0, touching = 0;            ///< places that share its mass
 
     /// Whether impulses change its motion.
     bool is_pushed() const;
@@ -46,7 +58,7 @@ private:
     void push_both(physics::Vec3 linear, physics::Vec3 angular);
 };
 
-/// The bodies of one deformable. touched() and the ties belong to the state of its module; all
+/// The bodies of one deformable. Contacts, ties and grabs belong to the state of its module; all
 /// other data is that of the current step.
 class CarriedBodies {
 public:
@@ -55,10 +67,10 @@ public:
     static constexpr double rest_speed = 0.05;
 
     // --- before a step ---
-    /// Sets the bodies of the attachments (null: the world), and forgets contacts with bodies that
-    /// were destroyed.
-    void begin_step(const physics::World& world, std::vector<physics::BodyId> attached);
-    /// Whether an attached body or one of the nearby ones moves.
+    /// Sets the supports of the attachments, and forgets contacts with bodies that were destroyed
+    /// and grabs that are not supports.
+    void begin_step(const physics::World& world, std::vector<Support> supports);
+    /// Whether an attached body or one of the nearby ones moves, or a grab holds the deformable.
     bool any_moves(const physics::World& world, const physics::NearbyShapes& nearby) const;
     /// Forgets contacts that ended 10 steps ago.
     void forget_old_contacts();
@@ -85,9 +97,15 @@ public:
     double greatest_speed() const;
 
     // --- in a sub-step ---
+    /// Gives the bodies of a group the impulses of the last sub-step, which write() replaces.
+    /// Deformables that share bodies call it before the first of them reads: each then carries its
+    /// part of a body instead of the whole body.
+    void push_as_before(physics::SubstepContext& group);
     /// Reads the motion of the bodies of a group, and applies the impulses to them. Null: no group.
     void read(const physics::SubstepContext* group);
     void write(physics::SubstepContext* group);
+    /// Accelerates the grabs by their springs in the next h seconds.
+    void pull_grabs(double h);
     /// Moves the shapes of the bodies to where they are.
     void place(physics::NearbyShapes& nearby) const;
     /// Moves the bodies by h seconds.
@@ -95,9 +113,19 @@ public:
 
     // --- after a step ---
     /// Applies the impulses on bodies outside of the group. Sleeping bodies are not woken by those
-    /// that would change their velocity by less than 0.02 m/s. Returns whether all bodies rest.
+    /// that would change their velocity by less than 0.02 m/s. Returns whether all bodies rest and
+    /// no grab holds the deformable.
     bool finish_step(physics::World& world);
     bool all_asleep(const physics::World& world) const;
+
+    // --- grabs ---
+    /// The grab of a holder; null if there is none.
+    PointGrab* grab(std::uint32_t holder);
+    void add_grab(const PointGrab& grab);
+    void remove_grab(std::uint32_t holder);
+    const std::vector<PointGrab>& grabs() const { return grabs_; }
+    /// Whether all these holders have a grab: loaded states are checked with it.
+    bool has_grabs_of(std::span<const Support> supports);
 
     IslandTies& ties() { return ties_; }
     const IslandTies& ties() const { return ties_; }
@@ -109,15 +137,23 @@ private:
         physics::BodyId body = {};
         std::uint32_t steps_since = 0;
     };
+    // The impulses of the last sub-step on a body, for push_as_before().
+    struct LastPush {
+        physics::BodyId body = {};
+        physics::Vec3 impulse = {}, angular_impulse = {};  // N s, N m s about the centre
+    };
     std::uint32_t carry(const physics::World& world, physics::BodyId id);
 
-    std::vector<Touched> touched_;  // sorted by body
+    std::vector<Touched> touched_;       // sorted by body
+    std::vector<PointGrab> grabs_;       // sorted by holder
+    std::vector<LastPush> last_pushes_;  // sorted by body; empty without push_as_before()
     IslandTies ties_;
 
-    std::vector<physics::BodyId> attached_ids_;  // per attachment
-    std::vector<CarriedBody> bodies_;            // first those of the attachments
-    std::vector<std::uint32_t> attached_;        // per attachment: index in bodies_, or none
-    std::vector<std::uint32_t> nearby_;          // per nearby body
+    std::vector<Support> supports_;        // per attachment
+    std::vector<CarriedBody> bodies_;      // first those of the attachments
+    std::vector<std::uint32_t> attached_;  // per attachment: index in bodies_, or none
+    std::vector<std::uint32_t> nearby_;    // per nearby body
+    bool pushes_as_before_ = false;        // in this step
 };
 
 }  // namespace jostle::modules

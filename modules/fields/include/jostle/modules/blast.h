@@ -37,9 +37,13 @@ physics::Result<std::vector<BlastImpulse>> compute_blast(const physics::World& w
 /// Maximum number of rays of one explosion.
 inline constexpr std::size_t blast_rays_max = 20000;
 
-/// Computes the impulses, applies them, and returns them. Wakes the bodies that it pushes. Errors
-/// are those of compute_blast().
+/// Computes the impulses, applies them, and returns them. Wakes the bodies that it pushes. Also
+/// pushes the ropes, cloths and particles of the world. Errors are those of compute_blast().
 physics::Result<std::vector<BlastImpulse>> explode(physics::World& world,
                                                    const Explosion& explosion);
+/// Pushes the matter of modules that is visible from the centre, in cells of a 16th of the radius:
+/// ropes, cloths and particles (deformables.h). Bodies are not affected. Errors are those of
+/// compute_blast().
+physics::Status push_deformables(physics::World& world, const Explosion& explosion);
 
 }  // namespace jostle::modules

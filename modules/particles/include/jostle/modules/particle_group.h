@@ -14,6 +14,7 @@
 #include <span>
 #include <vector>
 
+#include "jostle/modules/deformables.h"
 #include "jostle/modules/emitter.h"
 #include "jostle/modules/particle_flow.h"
 #include "jostle/physics/force_fields.h"
@@ -177,6 +178,10 @@ public:
     /// coordinates (1e7 m) or speeds (1e6 m/s). Does not allocate memory once the group has reached
     /// its largest size. Precondition: from < to.
     void advance(const ParticleEnvironment& environment, double from, double to);
+
+    /// Applies a pulse of pressure to the cross-section of each particle. Particles without a
+    /// radius have none. No effect on cosmetic groups, which clients simulate.
+    void apply_pulse(const PressurePulse& pulse);
 
     /// Kinetic energy in J and momentum in kg m/s.
     double kinetic_energy() const;

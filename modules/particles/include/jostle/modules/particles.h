@@ -31,7 +31,7 @@ struct ParticleKey {
 };
 
 /// Module that owns the particles of a world. Tag: "particles".
-class Particles : public physics::Module {
+class Particles : public physics::Module, public PulseReceiver {
 public:
     static constexpr std::size_t groups_max = 64;  ///< maximum number of groups
     /// Maximum of work(): a step takes less than about a second even with extreme settings.
@@ -60,6 +60,9 @@ public:
     /// Returns a group; null for an unknown key. Valid until add() or remove().
     ParticleGroup* group(ParticleKey key);
     const ParticleGroup* group(ParticleKey key) const;
+
+    /// Pulses of pressure, such as explosions, push particles with a radius (deformables.h).
+    void apply_pulse(physics::World& world, const PressurePulse& pulse) override;
 
     std::string_view tag() const override { return "particles"; }
     void visit(physics::StateVisitor& v) override;

@@ -20,10 +20,12 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <string_view>
 #include <vector>
 
+#include "jostle/modules/deformables.h"
 #include "jostle/modules/rope_def.h"
 #include "jostle/physics/force_fields.h"
 #include "jostle/physics/module.h"
@@ -36,7 +38,7 @@ struct Rope;
 }
 
 /// Module that owns the ropes of a world. Tag: "rope".
-class Ropes : public physics::Module {
+class Ropes : public physics::Module, public Deformables {
 public:
     static constexpr std::size_t ropes_max = 1024;      ///< maximum number of ropes
     static constexpr std::size_t links_max = 20000;     ///< of all ropes
@@ -88,6 +90,18 @@ public:
     bool is_awake(RopeKey rope) const;
     /// Changes since the start of the last step, in order. Not saved.
     std::span<const RopeEvent> events() const { return events_; }
+
+    // --- tools of players: deformables.h. Objects are the numbers of keys, elements are nodes ---
+    std::optional<DeformableHit> cast_ray(const physics::Ray& ray) const override;
+    std::optional<DeformablePoint> nearest(std::uint32_t object,
+                                           physics::Vec3 point) const override;
+    physics::Status push(physics::World& world, DeformablePoint at, physics::Vec3 impulse) override;
+    physics::Status grab(physics::World& world, std::uint32_t holder, DeformablePoint at) override;
+    bool drag(std::uint32_t holder, physics::Vec3 target) override;
+    void release(std::uint32_t holder) override;
+    physics::Status cut_at(physics::World& world, std::uint32_t object,
+                           physics::Vec3 point) override;
+    void apply_pulse(physics::World& world, const PressurePulse& pulse) override;
 
     std::string_view tag() const override { return "rope"; }
     void visit(physics::StateVisitor& v) override;

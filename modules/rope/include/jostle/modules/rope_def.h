@@ -52,7 +52,7 @@ struct RopeDef {
     bool operator==(const RopeDef&) const = default;
 };
 
-/// Holds a node of a rope at a body or in the world.
+/// Holds a node of a rope at a body, in the world, or with a grab.
 struct RopeAttachment {
     std::uint32_t node = 0;     ///< 0 is the first end, the number of links the last end
     physics::BodyId body = {};  ///< null: the world
@@ -60,6 +60,8 @@ struct RopeAttachment {
     /// If not zero: the direction of an elastic rod at this end, from the end into the rod, in the
     /// same frame; any length. Only at the ends.
     physics::Vec3 direction = {};
+    /// The holder whose grab holds the node (Ropes::grab()); 0 in attach().
+    std::uint32_t holder = 0;
 
     bool operator==(const RopeAttachment&) const = default;
 };

@@ -18,7 +18,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file jostle/v1/play.proto.
  */
 export const file_jostle_v1_play: GenFile = /*@__PURE__*/
-  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIvEBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAEicKCGludGVyZXN0GAYgASgLMhMuam9zdGxlLnYxLkludGVyZXN0SABCCQoHbWVzc2FnZSKwAgoFSGVsbG8SEAoIcHJvdG9jb2wYASABKA0SDQoFd29ybGQYAiABKAkSDgoGdGlja2V0GAMgASgJEgwKBG5hbWUYBCABKAkSEwoLc25hcHNob3RfaHoYBSABKA0SEQoJc3BlY3RhdG9yGAYgASgIEg4KBmV2ZW50cxgHIAEoCBINCgV0b2tlbhgIIAEoCRIQCghjaGFubmVscxgJIAMoCRINCgVjb2RlYxgKIAEoDRIQCghtYXhfa2JwcxgLIAEoDRIlCghpbnRlcmVzdBgOIAEoCzITLmpvc3RsZS52MS5JbnRlcmVzdBIRCglkYXRhZ3JhbXMYFCABKAgSEQoJcmVzdW1hYmxlGDwgASgIEiEKBnJlc3VtZRg9IAEoCzIRLmpvc3RsZS52MS5SZXN1bWUiJgoGUmVzdW1lEg0KBXRva2VuGAEgASgMEg0KBWZyYW1lGAIgASgNIjoKCEludGVyZXN0Eh4KBWZvY3VzGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBInsKCklucHV0QmF0Y2gSFgoOZmlyc3Rfc2VxdWVuY2UYASABKA0SIAoGaW5wdXRzGAIgAygLMhAuam9zdGxlLnYxLklucHV0EhsKA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2sSFgoOY2xpZW50X3RpbWVfdXMYBCABKAcilwMKBUlucHV0EiYKBXNwYXduGAEgASgLMhUuam9zdGxlLnYxLlNwYXduSW5wdXRIABIqCgdpbXB1bHNlGAIgASgLMhcuam9zdGxlLnYxLkltcHVsc2VJbnB1dEgAEiQKBGdyYWIYAyABKAsyFC5qb3N0bGUudjEuR3JhYklucHV0SAASJAoEZHJhZxgEIAEoCzIULmpvc3RsZS52MS5EcmFnSW5wdXRIABIqCgdyZWxlYXNlGAUgASgLMhcuam9zdGxlLnYxLlJlbGVhc2VJbnB1dEgAEigKBmRlbGV0ZRgGIAEoCzIWLmpvc3RsZS52MS5EZWxldGVJbnB1dEgAEioKB2V4cGxvZGUYByABKAsyFy5qb3N0bGUudjEuRXhwbG9kZUlucHV0SAASKgoHcG9zc2VzcxgIIAEoCzIXLmpvc3RsZS52MS5Qb3NzZXNzSW5wdXRIABIqCgdjb250cm9sGAkgASgLMhcuam9zdGxlLnYxLkNvbnRyb2xJbnB1dEgAEgwKBHRpY2sYDyABKA1CBgoEa2luZCLmAQoKU3Bhd25JbnB1dBIfCgVzaGFwZRgBIAEoCzIQLmpvc3RsZS52MS5TaGFwZRIhCghwb3NpdGlvbhgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAMgASgLMg8uam9zdGxlLnYxLlF1YXQSKAoPbGluZWFyX3ZlbG9jaXR5GAQgASgLMg8uam9zdGxlLnYxLlZlYzMSKQoQYW5ndWxhcl92ZWxvY2l0eRgFIAEoCzIPLmpvc3RsZS52MS5WZWMzEhIKBWNvbG9yGAYgASgHSACIAQFCCAoGX2NvbG9yIn8KA0FpbRIfCgZvcmlnaW4YASABKAsyDy5qb3N0bGUudjEuVmVjMxIfCgZtb3Rpb24YAiABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZpZ25vcmUYAyABKA0SJgoJdmlld190aW1lGAQgASgLMhMuam9zdGxlLnYxLlZpZXdUaW1lIn0KDEltcHVsc2VJbnB1dBIOCgZlbnRpdHkYASABKA0SIAoHaW1wdWxzZRgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEh4KBXBvaW50GAMgASgLMg8uam9zdGxlLnYxLlZlYzMSGwoDYWltGAQgASgLMg4uam9zdGxlLnYxLkFpbSJYCglHcmFiSW5wdXQSDgoGZW50aXR5GAEgASgNEh4KBXBvaW50GAIgASgLMg8uam9zdGxlLnYxLlZlYzMSGwoDYWltGAMgASgLMg4uam9zdGxlLnYxLkFpbSIsCglEcmFnSW5wdXQSHwoGdGFyZ2V0GAEgASgLMg8uam9zdGxlLnYxLlZlYzMiDgoMUmVsZWFzZUlucHV0Ih0KC0RlbGV0ZUlucHV0Eg4KBmVudGl0eRgBIAEoDSJrCgxFeHBsb2RlSW5wdXQSHwoGY2VudGVyGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBEg0KBXNwZWVkGAMgASgBEhsKA2FpbRgEIAEoCzIOLmpvc3RsZS52MS5BaW0iHgoMUG9zc2Vzc0lucHV0Eg4KBmVudGl0eRgBIAEoDSItCgxDb250cm9sSW5wdXQSDAoEYXhlcxgBIAMoERIPCgdidXR0b25zGAIgASgNIlMKA0FjaxINCgVmcmFtZRgBIAEoDRIVCg1uZWVkX2tleWZyYW1lGAIgASgIEhQKDGFja19kZWxheV9tcxgDIAEoDRIQCghhY2tfYml0cxgIIAEoByIeCgRQaW5nEhYKDmNsaWVudF90aW1lX3VzGAEgASgGIgcKBUxlYXZlIsACCg1TZXJ2ZXJNZXNzYWdlEiUKB3dlbGNvbWUYASABKAsyEi5qb3N0bGUudjEuV2VsY29tZUgAEjAKDWVudGl0eV91cGRhdGUYAiABKAsyFy5qb3N0bGUudjEuRW50aXR5VXBkYXRlSAASJwoIc25hcHNob3QYAyABKAsyEy5qb3N0bGUudjEuU25hcHNob3RIABIfCgRwb25nGAUgASgLMg8uam9zdGxlLnYxLlBvbmdIABIjCgZub3RpY2UYByABKAsyES5qb3N0bGUudjEuTm90aWNlSAASLAoIZ2VvbWV0cnkYCSABKAsyGC5qb3N0bGUudjEuR2VvbWV0cnlDaHVua0gAQgkKB21lc3NhZ2VKBAgEEAVKBAgGEAdKBAgIEAlSDWlucHV0X3Jlc3VsdHNSBXN0YXRzUgZldmVudHMiWgoKQ2VsbFVwZGF0ZRIMCgRjZWxsGAEgASgNEg4KBm51bWJlchgCIAEoDRIRCgliYXNlbGluZXMYAyABKA0SDgoGcGFja2VkGAQgASgMEgsKA2NyYxgFIAEoByKWBAoHV2VsY29tZRIRCgljbGllbnRfaWQYASABKA0SEAoId29ybGRfaWQYAiABKAkSEgoKd29ybGRfbmFtZRgDIAEoCRIMCgR0aWNrGAQgASgNEg8KB3RpY2tfaHoYBSABKAESEwoLc25hcHNob3RfaHoYBiABKA0SIwoFcXVhbnQYCCABKAsyFC5qb3N0bGUudjEuUXVhbnRTcGVjEhYKDnNlcnZlcl90aW1lX3VzGAkgASgGEiAKB2dyYXZpdHkYCiABKAsyDy5qb3N0bGUudjEuVmVjMxIoCghjaGFubmVscxgLIAMoCzIWLmpvc3RsZS52MS5DaGFubmVsS2luZBINCgVjb2RlYxgMIAEoDRIXCg9hY2tfaW50ZXJ2YWxfbXMYDSABKA0SEAoIZXBvY2hfdXMYDiABKAYSDQoFY2VsbHMYDyABKAgSEAoIc3Vic3RlcHMYECABKA0SMQoJZGF0YWdyYW1zGBQgASgLMh4uam9zdGxlLnYxLkRhdGFncmFtQ3JlZGVudGlhbHMSFAoMcmVzdW1lX3Rva2VuGDwgASgMEg8KB3Jlc3VtZWQYPSABKAgSFwoPc3RhdGVfcHJlc2VydmVkGD4gASgIEhUKDWxhc3Rfc2VxdWVuY2UYPyABKA0SHgoWcmVzdW1lX3RpbWVvdXRfc2Vjb25kcxhAIAEoAUoECAcQCFIKYWNrX3dpbmRvdyI8ChNEYXRhZ3JhbUNyZWRlbnRpYWxzEgwKBHBvcnQYASABKA0SCgoCaWQYAiABKAYSCwoDa2V5GAMgASgMIlIKC0NoYW5uZWxLaW5kEgwKBG5hbWUYASABKAkSJAoEZm9ybRgCIAEoDjIWLmpvc3RsZS52MS5DaGFubmVsRm9ybRIPCgdkaXZpc29yGAMgASgNIrMCCgtQb2ludE9iamVjdBIKCgJpZBgBIAEoDRIMCgRraW5kGAIgASgNEgsKA2tleRgDIAEoDRIOCgZlbnRpdHkYBCABKA0SIgoEZm9ybRgFIAEoDjIULmpvc3RsZS52MS5Qb2ludEZvcm0SDwoHc3RlcF91bRgGIAEoDRIOCgZwb2ludHMYByABKA0SDwoHY29sdW1ucxgIIAEoDRIPCgdzdHJhbmRzGAkgAygNEhEKCXRyaWFuZ2xlcxgKIAMoERIOCgZyYWRpdXMYCyABKAISEgoFY29sb3IYDCABKAdIAIgBARIfCgZvcmlnaW4YDSABKAsyDy5qb3N0bGUudjEuVmVjMxIRCglzcGFjaW5nX3gYDiABKAISEQoJc3BhY2luZ196GA8gASgCQggKBl9jb2xvciJmCgtQb2ludFVwZGF0ZRIOCgZvYmplY3QYASABKA0SDgoGbnVtYmVyGAIgASgNEgwKBGJhY2sYAyABKA0SDAoEdGljaxgEIAEoDRIOCgZwYWNrZWQYBSABKAwSCwoDY3JjGAYgASgHIkAKCVF1YW50U3BlYxIXCg91bml0c19wZXJfbWV0ZXIYASABKA0SGgoScm90YXRpb25fY29tcG9uZW50GAIgASgNIk0KDUdlb21ldHJ5Q2h1bmsSCgoCaWQYASABKAYSDQoFY2h1bmsYAiABKA0SEwoLY2h1bmtfY291bnQYAyABKA0SDAoEZGF0YRgEIAEoDCJBCgxFbnRpdHlVcGRhdGUSIAoFYWRkZWQYASADKAsyES5qb3N0bGUudjEuRW50aXR5Eg8KB3JlbW92ZWQYAiADKA0iyQIKBkVudGl0eRIKCgJpZBgBIAEoDRIhCgR0eXBlGAIgASgOMhMuam9zdGxlLnYxLkJvZHlUeXBlEiAKBnNoYXBlcxgDIAMoCzIQLmpvc3RsZS52MS5TaGFwZRINCgVvd25lchgEIAEoDRISCgVjb2xvchgFIAEoB0gAiAEBEgwKBG5hbWUYBiABKAkSDAoEbWFzcxgHIAEoARIUCgxjb250cm9sbGFibGUYCCABKAgSFgoObGluZWFyX2RhbXBpbmcYCSABKAESFwoPYW5ndWxhcl9kYW1waW5nGAogASgBEhoKDWdyYXZpdHlfc2NhbGUYCyABKAFIAYgBARIfCgVsb2NrcxgMIAEoCzIQLmpvc3RsZS52MS5Mb2NrcxIPCgdqb2ludGVkGA0gASgIQggKBl9jb2xvckIQCg5fZ3Jhdml0eV9zY2FsZSLJBAoIU25hcHNob3QSDQoFZnJhbWUYASABKA0SEQoJYmFzZWxpbmVzGAIgASgNEg4KBnBhY2tlZBgFIAEoDBILCgNjcmMYBiABKAcSDwoHbGF0ZV91cxgHIAEoEhIQCghjaGFubmVscxgJIAEoDBIUCgxjaGFubmVsc19jcmMYCiABKAcSFwoPdW5jaGFuZ2VkX3RpY2tzGAsgASgNEiQKBXN0YXRzGAwgASgLMhUuam9zdGxlLnYxLldvcmxkU3RhdHMSIQoGZXZlbnRzGA0gAygLMhEuam9zdGxlLnYxLkV2ZW50cxIuCg1jbGllbnRfdXBkYXRlGA8gASgLMhcuam9zdGxlLnYxLkNsaWVudFVwZGF0ZRIkCgVjZWxscxgQIAMoCzIVLmpvc3RsZS52MS5DZWxsVXBkYXRlEhIKCmNlbGxzX2xlZnQYESADKA0SOwoRY29udHJvbGxlZF9lbnRpdHkYEiABKAsyIC5qb3N0bGUudjEuQ29udHJvbGxlZEVudGl0eVN0YXRlEi0KDXBvaW50X29iamVjdHMYEyADKAsyFi5qb3N0bGUudjEuUG9pbnRPYmplY3QSJgoGcG9pbnRzGBQgAygLMhYuam9zdGxlLnYxLlBvaW50VXBkYXRlEhQKDHBvaW50c19lbmRlZBgVIAMoDUoECAMQBEoECAQQBUoECAgQCVIKYmFzZV9mcmFtZVILYmFzZTJfZnJhbWVSC2Jhc2UzX2ZyYW1lUg5zZXJ2ZXJfdGltZV91c1IHbW9kdWxlcyK4AQoMQ2xpZW50VXBkYXRlEhYKDmlucHV0X3NlcXVlbmNlGAEgASgNEhsKE2VjaG9fY2xpZW50X3RpbWVfdXMYAiABKAcSGQoRc25hcHNob3RzX3NraXBwZWQYAyABKA0SJwoHcmVzdWx0cxgEIAMoCzIWLmpvc3RsZS52MS5JbnB1dFJlc3VsdBIXCg9pbnB1dF9tYXJnaW5fdXMYByABKBESFgoOaW5wdXRfcmVjZWl2ZWQYDCABKA0ijAEKFUNvbnRyb2xsZWRFbnRpdHlTdGF0ZRIOCgZlbnRpdHkYASABKA0SDgoGbW9kdWxlGAIgASgJEgwKBHRpY2sYAyABKA0SDQoFd29yZHMYBCABKA0SEAoIa2V5ZnJhbWUYBSABKAgSFAoMY2hhbmdlZF9tYXNrGAYgASgMEg4KBnZhbHVlcxgHIAEoDCKlAQoLSW5wdXRSZXN1bHQSEAoIc2VxdWVuY2UYASABKA0SIgoEY29kZRgCIAEoDjIULmpvc3RsZS52MS5JbnB1dENvZGUSDAoEdGljaxgDIAEoDRIOCgZlbnRpdHkYBCABKA0SDwoHbWVzc2FnZRgFIAEoCRIZChF2aWV3X3RpbWVfY2xhbXBlZBgGIAEoCBIWCg5yZXRyeV9hZnRlcl9tcxgHIAEoDSI2CgRQb25nEhYKDmNsaWVudF90aW1lX3VzGAEgASgGEhYKDnNlcnZlcl90aW1lX3VzGAIgASgGIr8BCgpXb3JsZFN0YXRzEgwKBHRpY2sYASABKA0SDgoGYm9kaWVzGAIgASgNEg0KBWF3YWtlGAMgASgNEhAKCGNvbnRhY3RzGAQgASgNEg8KB2NsaWVudHMYBSABKA0SFAoMc3RlcF9tc19tZWFuGAYgASgBEhMKC3N0ZXBfbXNfbWF4GAcgASgBEhIKCmxhdGVfdGlja3MYCCABKA0SDgoGcGF1c2VkGAkgASgJEhIKCnRpbWVfc2NhbGUYCiABKAEiPgoGTm90aWNlEiMKBGNvZGUYASABKA4yFS5qb3N0bGUudjEuTm90aWNlQ29kZRIPCgdtZXNzYWdlGAIgASgJIsQDCgZFdmVudHMSDAoEdGljaxgBIAEoDRIvCg5jb250YWN0c19iZWdhbhgCIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSLwoOY29udGFjdHNfZW5kZWQYAyADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EikKCGNvbnRhY3RzGAQgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIlCgRoaXRzGAUgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIxChB0cmlnZ2Vyc19lbnRlcmVkGAYgAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIwCg90cmlnZ2Vyc19zdGF5ZWQYByADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50Ei4KDXRyaWdnZXJzX2xlZnQYCCADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50EjAKDGpvaW50c19icm9rZRgJIAMoCzIaLmpvc3RsZS52MS5Kb2ludEJyZWFrRXZlbnQSEwoLZmVsbF9hc2xlZXAYCiADKA0SDAoEd29rZRgLIAMoDRIOCgZtaXNzZWQYDCABKA0ikwEKDENvbnRhY3RFdmVudBIQCghlbnRpdHlfYRgBIAEoDRIQCghlbnRpdHlfYhgCIAEoDRIeCgVwb2ludBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzEh8KBm5vcm1hbBgEIAEoCzIPLmpvc3RsZS52MS5WZWMzEg0KBXNwZWVkGAUgASgBEg8KB2ltcHVsc2UYBiABKAEiLwoMVHJpZ2dlckV2ZW50Eg8KB3RyaWdnZXIYASABKA0SDgoGZW50aXR5GAIgASgNIlQKD0pvaW50QnJlYWtFdmVudBIQCghlbnRpdHlfYRgBIAEoDRIQCghlbnRpdHlfYhgCIAEoDRINCgVmb3JjZRgDIAEoARIOCgZ0b3JxdWUYBCABKAEqjgEKC0NoYW5uZWxGb3JtEhwKGENIQU5ORUxfRk9STV9VTlNQRUNJRklFRBAAEhcKE0NIQU5ORUxfRk9STV9QQVJBTVMQARIXChNDSEFOTkVMX0ZPUk1fUE9JTlRTEAISFQoRQ0hBTk5FTF9GT1JNX1NFRUQQBCIECAMQAyoSQ0hBTk5FTF9GT1JNX0ZJRUxEKpwBCglQb2ludEZvcm0SGgoWUE9JTlRfRk9STV9VTlNQRUNJRklFRBAAEhQKEFBPSU5UX0ZPUk1fTE9PU0UQARIWChJQT0lOVF9GT1JNX1NUUkFORFMQAhITCg9QT0lOVF9GT1JNX0dSSUQQAxIYChRQT0lOVF9GT1JNX1RSSUFOR0xFUxAEEhYKElBPSU5UX0ZPUk1fSEVJR0hUUxAFKr8BCglJbnB1dENvZGUSGgoWSU5QVVRfQ09ERV9VTlNQRUNJRklFRBAAEhYKEklOUFVUX0NPREVfQVBQTElFRBABEhYKEklOUFVUX0NPREVfSU5WQUxJRBACEhgKFElOUFVUX0NPREVfTk9UX0ZPVU5EEAMSGgoWSU5QVVRfQ09ERV9OT1RfQUxMT1dFRBAEEhQKEElOUFVUX0NPREVfTElNSVQQBRIaChZJTlBVVF9DT0RFX1VOQVZBSUxBQkxFEAYqtwEKCk5vdGljZUNvZGUSGwoXTk9USUNFX0NPREVfVU5TUEVDSUZJRUQQABIYChROT1RJQ0VfQ09ERV9EUkFJTklORxABEhwKGE5PVElDRV9DT0RFX1dPUkxEX0NMT1NFRBACEhcKE05PVElDRV9DT0RFX1JFRlVTRUQQAxIaChZOT1RJQ0VfQ09ERV9SQVRFX0xJTUlUEAQSHwobTk9USUNFX0NPREVfV09STERfUkVTVEFSVEVEEAUyTQoLUGxheVNlcnZpY2USPgoEUGxheRIYLmpvc3RsZS52MS5DbGllbnRNZXNzYWdlGhguam9zdGxlLnYxLlNlcnZlck1lc3NhZ2UoATABYgZwcm90bzM", [file_jostle_v1_common, file_jostle_v1_scene]);
+  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIvEBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAEicKCGludGVyZXN0GAYgASgLMhMuam9zdGxlLnYxLkludGVyZXN0SABCCQoHbWVzc2FnZSKwAgoFSGVsbG8SEAoIcHJvdG9jb2wYASABKA0SDQoFd29ybGQYAiABKAkSDgoGdGlja2V0GAMgASgJEgwKBG5hbWUYBCABKAkSEwoLc25hcHNob3RfaHoYBSABKA0SEQoJc3BlY3RhdG9yGAYgASgIEg4KBmV2ZW50cxgHIAEoCBINCgV0b2tlbhgIIAEoCRIQCghjaGFubmVscxgJIAMoCRINCgVjb2RlYxgKIAEoDRIQCghtYXhfa2JwcxgLIAEoDRIlCghpbnRlcmVzdBgOIAEoCzITLmpvc3RsZS52MS5JbnRlcmVzdBIRCglkYXRhZ3JhbXMYFCABKAgSEQoJcmVzdW1hYmxlGDwgASgIEiEKBnJlc3VtZRg9IAEoCzIRLmpvc3RsZS52MS5SZXN1bWUiJgoGUmVzdW1lEg0KBXRva2VuGAEgASgMEg0KBWZyYW1lGAIgASgNIjoKCEludGVyZXN0Eh4KBWZvY3VzGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBInsKCklucHV0QmF0Y2gSFgoOZmlyc3Rfc2VxdWVuY2UYASABKA0SIAoGaW5wdXRzGAIgAygLMhAuam9zdGxlLnYxLklucHV0EhsKA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2sSFgoOY2xpZW50X3RpbWVfdXMYBCABKAciuwMKBUlucHV0EiYKBXNwYXduGAEgASgLMhUuam9zdGxlLnYxLlNwYXduSW5wdXRIABIqCgdpbXB1bHNlGAIgASgLMhcuam9zdGxlLnYxLkltcHVsc2VJbnB1dEgAEiQKBGdyYWIYAyABKAsyFC5qb3N0bGUudjEuR3JhYklucHV0SAASJAoEZHJhZxgEIAEoCzIULmpvc3RsZS52MS5EcmFnSW5wdXRIABIqCgdyZWxlYXNlGAUgASgLMhcuam9zdGxlLnYxLlJlbGVhc2VJbnB1dEgAEigKBmRlbGV0ZRgGIAEoCzIWLmpvc3RsZS52MS5EZWxldGVJbnB1dEgAEioKB2V4cGxvZGUYByABKAsyFy5qb3N0bGUudjEuRXhwbG9kZUlucHV0SAASKgoHcG9zc2VzcxgIIAEoCzIXLmpvc3RsZS52MS5Qb3NzZXNzSW5wdXRIABIqCgdjb250cm9sGAkgASgLMhcuam9zdGxlLnYxLkNvbnRyb2xJbnB1dEgAEiIKA2N1dBgKIAEoCzITLmpvc3RsZS52MS5DdXRJbnB1dEgAEgwKBHRpY2sYDyABKA1CBgoEa2luZCLmAQoKU3Bhd25JbnB1dBIfCgVzaGFwZRgBIAEoCzIQLmpvc3RsZS52MS5TaGFwZRIhCghwb3NpdGlvbhgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAMgASgLMg8uam9zdGxlLnYxLlF1YXQSKAoPbGluZWFyX3ZlbG9jaXR5GAQgASgLMg8uam9zdGxlLnYxLlZlYzMSKQoQYW5ndWxhcl92ZWxvY2l0eRgFIAEoCzIPLmpvc3RsZS52MS5WZWMzEhIKBWNvbG9yGAYgASgHSACIAQFCCAoGX2NvbG9yIn8KA0FpbRIfCgZvcmlnaW4YASABKAsyDy5qb3N0bGUudjEuVmVjMxIfCgZtb3Rpb24YAiABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZpZ25vcmUYAyABKA0SJgoJdmlld190aW1lGAQgASgLMhMuam9zdGxlLnYxLlZpZXdUaW1lIo0BCgxJbXB1bHNlSW5wdXQSDgoGZW50aXR5GAEgASgNEiAKB2ltcHVsc2UYAiABKAsyDy5qb3N0bGUudjEuVmVjMxIeCgVwb2ludBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzEhsKA2FpbRgEIAEoCzIOLmpvc3RsZS52MS5BaW0SDgoGb2JqZWN0GAUgASgNImgKCUdyYWJJbnB1dBIOCgZlbnRpdHkYASABKA0SHgoFcG9pbnQYAiABKAsyDy5qb3N0bGUudjEuVmVjMxIbCgNhaW0YAyABKAsyDi5qb3N0bGUudjEuQWltEg4KBm9iamVjdBgEIAEoDSIsCglEcmFnSW5wdXQSHwoGdGFyZ2V0GAEgASgLMg8uam9zdGxlLnYxLlZlYzMiDgoMUmVsZWFzZUlucHV0Ih0KC0RlbGV0ZUlucHV0Eg4KBmVudGl0eRgBIAEoDSJrCgxFeHBsb2RlSW5wdXQSHwoGY2VudGVyGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBEg0KBXNwZWVkGAMgASgBEhsKA2FpbRgEIAEoCzIOLmpvc3RsZS52MS5BaW0iVwoIQ3V0SW5wdXQSDgoGb2JqZWN0GAEgASgNEh4KBXBvaW50GAIgASgLMg8uam9zdGxlLnYxLlZlYzMSGwoDYWltGAMgASgLMg4uam9zdGxlLnYxLkFpbSIeCgxQb3NzZXNzSW5wdXQSDgoGZW50aXR5GAEgASgNIi0KDENvbnRyb2xJbnB1dBIMCgRheGVzGAEgAygREg8KB2J1dHRvbnMYAiABKA0iUwoDQWNrEg0KBWZyYW1lGAEgASgNEhUKDW5lZWRfa2V5ZnJhbWUYAiABKAgSFAoMYWNrX2RlbGF5X21zGAMgASgNEhAKCGFja19iaXRzGAggASgHIh4KBFBpbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYiBwoFTGVhdmUiwAIKDVNlcnZlck1lc3NhZ2USJQoHd2VsY29tZRgBIAEoCzISLmpvc3RsZS52MS5XZWxjb21lSAASMAoNZW50aXR5X3VwZGF0ZRgCIAEoCzIXLmpvc3RsZS52MS5FbnRpdHlVcGRhdGVIABInCghzbmFwc2hvdBgDIAEoCzITLmpvc3RsZS52MS5TbmFwc2hvdEgAEh8KBHBvbmcYBSABKAsyDy5qb3N0bGUudjEuUG9uZ0gAEiMKBm5vdGljZRgHIAEoCzIRLmpvc3RsZS52MS5Ob3RpY2VIABIsCghnZW9tZXRyeRgJIAEoCzIYLmpvc3RsZS52MS5HZW9tZXRyeUNodW5rSABCCQoHbWVzc2FnZUoECAQQBUoECAYQB0oECAgQCVINaW5wdXRfcmVzdWx0c1IFc3RhdHNSBmV2ZW50cyJaCgpDZWxsVXBkYXRlEgwKBGNlbGwYASABKA0SDgoGbnVtYmVyGAIgASgNEhEKCWJhc2VsaW5lcxgDIAEoDRIOCgZwYWNrZWQYBCABKAwSCwoDY3JjGAUgASgHIpYECgdXZWxjb21lEhEKCWNsaWVudF9pZBgBIAEoDRIQCgh3b3JsZF9pZBgCIAEoCRISCgp3b3JsZF9uYW1lGAMgASgJEgwKBHRpY2sYBCABKA0SDwoHdGlja19oehgFIAEoARITCgtzbmFwc2hvdF9oehgGIAEoDRIjCgVxdWFudBgIIAEoCzIULmpvc3RsZS52MS5RdWFudFNwZWMSFgoOc2VydmVyX3RpbWVfdXMYCSABKAYSIAoHZ3Jhdml0eRgKIAEoCzIPLmpvc3RsZS52MS5WZWMzEigKCGNoYW5uZWxzGAsgAygLMhYuam9zdGxlLnYxLkNoYW5uZWxLaW5kEg0KBWNvZGVjGAwgASgNEhcKD2Fja19pbnRlcnZhbF9tcxgNIAEoDRIQCghlcG9jaF91cxgOIAEoBhINCgVjZWxscxgPIAEoCBIQCghzdWJzdGVwcxgQIAEoDRIxCglkYXRhZ3JhbXMYFCABKAsyHi5qb3N0bGUudjEuRGF0YWdyYW1DcmVkZW50aWFscxIUCgxyZXN1bWVfdG9rZW4YPCABKAwSDwoHcmVzdW1lZBg9IAEoCBIXCg9zdGF0ZV9wcmVzZXJ2ZWQYPiABKAgSFQoNbGFzdF9zZXF1ZW5jZRg/IAEoDRIeChZyZXN1bWVfdGltZW91dF9zZWNvbmRzGEAgASgBSgQIBxAIUgphY2tfd2luZG93IjwKE0RhdGFncmFtQ3JlZGVudGlhbHMSDAoEcG9ydBgBIAEoDRIKCgJpZBgCIAEoBhILCgNrZXkYAyABKAwiUgoLQ2hhbm5lbEtpbmQSDAoEbmFtZRgBIAEoCRIkCgRmb3JtGAIgASgOMhYuam9zdGxlLnYxLkNoYW5uZWxGb3JtEg8KB2Rpdmlzb3IYAyABKA0iswIKC1BvaW50T2JqZWN0EgoKAmlkGAEgASgNEgwKBGtpbmQYAiABKA0SCwoDa2V5GAMgASgNEg4KBmVudGl0eRgEIAEoDRIiCgRmb3JtGAUgASgOMhQuam9zdGxlLnYxLlBvaW50Rm9ybRIPCgdzdGVwX3VtGAYgASgNEg4KBnBvaW50cxgHIAEoDRIPCgdjb2x1bW5zGAggASgNEg8KB3N0cmFuZHMYCSADKA0SEQoJdHJpYW5nbGVzGAogAygREg4KBnJhZGl1cxgLIAEoAhISCgVjb2xvchgMIAEoB0gAiAEBEh8KBm9yaWdpbhgNIAEoCzIPLmpvc3RsZS52MS5WZWMzEhEKCXNwYWNpbmdfeBgOIAEoAhIRCglzcGFjaW5nX3oYDyABKAJCCAoGX2NvbG9yImYKC1BvaW50VXBkYXRlEg4KBm9iamVjdBgBIAEoDRIOCgZudW1iZXIYAiABKA0SDAoEYmFjaxgDIAEoDRIMCgR0aWNrGAQgASgNEg4KBnBhY2tlZBgFIAEoDBILCgNjcmMYBiABKAciQAoJUXVhbnRTcGVjEhcKD3VuaXRzX3Blcl9tZXRlchgBIAEoDRIaChJyb3RhdGlvbl9jb21wb25lbnQYAiABKA0iTQoNR2VvbWV0cnlDaHVuaxIKCgJpZBgBIAEoBhINCgVjaHVuaxgCIAEoDRITCgtjaHVua19jb3VudBgDIAEoDRIMCgRkYXRhGAQgASgMIkEKDEVudGl0eVVwZGF0ZRIgCgVhZGRlZBgBIAMoCzIRLmpvc3RsZS52MS5FbnRpdHkSDwoHcmVtb3ZlZBgCIAMoDSLJAgoGRW50aXR5EgoKAmlkGAEgASgNEiEKBHR5cGUYAiABKA4yEy5qb3N0bGUudjEuQm9keVR5cGUSIAoGc2hhcGVzGAMgAygLMhAuam9zdGxlLnYxLlNoYXBlEg0KBW93bmVyGAQgASgNEhIKBWNvbG9yGAUgASgHSACIAQESDAoEbmFtZRgGIAEoCRIMCgRtYXNzGAcgASgBEhQKDGNvbnRyb2xsYWJsZRgIIAEoCBIWCg5saW5lYXJfZGFtcGluZxgJIAEoARIXCg9hbmd1bGFyX2RhbXBpbmcYCiABKAESGgoNZ3Jhdml0eV9zY2FsZRgLIAEoAUgBiAEBEh8KBWxvY2tzGAwgASgLMhAuam9zdGxlLnYxLkxvY2tzEg8KB2pvaW50ZWQYDSABKAhCCAoGX2NvbG9yQhAKDl9ncmF2aXR5X3NjYWxlIskECghTbmFwc2hvdBINCgVmcmFtZRgBIAEoDRIRCgliYXNlbGluZXMYAiABKA0SDgoGcGFja2VkGAUgASgMEgsKA2NyYxgGIAEoBxIPCgdsYXRlX3VzGAcgASgSEhAKCGNoYW5uZWxzGAkgASgMEhQKDGNoYW5uZWxzX2NyYxgKIAEoBxIXCg91bmNoYW5nZWRfdGlja3MYCyABKA0SJAoFc3RhdHMYDCABKAsyFS5qb3N0bGUudjEuV29ybGRTdGF0cxIhCgZldmVudHMYDSADKAsyES5qb3N0bGUudjEuRXZlbnRzEi4KDWNsaWVudF91cGRhdGUYDyABKAsyFy5qb3N0bGUudjEuQ2xpZW50VXBkYXRlEiQKBWNlbGxzGBAgAygLMhUuam9zdGxlLnYxLkNlbGxVcGRhdGUSEgoKY2VsbHNfbGVmdBgRIAMoDRI7ChFjb250cm9sbGVkX2VudGl0eRgSIAEoCzIgLmpvc3RsZS52MS5Db250cm9sbGVkRW50aXR5U3RhdGUSLQoNcG9pbnRfb2JqZWN0cxgTIAMoCzIWLmpvc3RsZS52MS5Qb2ludE9iamVjdBImCgZwb2ludHMYFCADKAsyFi5qb3N0bGUudjEuUG9pbnRVcGRhdGUSFAoMcG9pbnRzX2VuZGVkGBUgAygNSgQIAxAESgQIBBAFSgQICBAJUgpiYXNlX2ZyYW1lUgtiYXNlMl9mcmFtZVILYmFzZTNfZnJhbWVSDnNlcnZlcl90aW1lX3VzUgdtb2R1bGVzIrgBCgxDbGllbnRVcGRhdGUSFgoOaW5wdXRfc2VxdWVuY2UYASABKA0SGwoTZWNob19jbGllbnRfdGltZV91cxgCIAEoBxIZChFzbmFwc2hvdHNfc2tpcHBlZBgDIAEoDRInCgdyZXN1bHRzGAQgAygLMhYuam9zdGxlLnYxLklucHV0UmVzdWx0EhcKD2lucHV0X21hcmdpbl91cxgHIAEoERIWCg5pbnB1dF9yZWNlaXZlZBgMIAEoDSKMAQoVQ29udHJvbGxlZEVudGl0eVN0YXRlEg4KBmVudGl0eRgBIAEoDRIOCgZtb2R1bGUYAiABKAkSDAoEdGljaxgDIAEoDRINCgV3b3JkcxgEIAEoDRIQCghrZXlmcmFtZRgFIAEoCBIUCgxjaGFuZ2VkX21hc2sYBiABKAwSDgoGdmFsdWVzGAcgASgMIqUBCgtJbnB1dFJlc3VsdBIQCghzZXF1ZW5jZRgBIAEoDRIiCgRjb2RlGAIgASgOMhQuam9zdGxlLnYxLklucHV0Q29kZRIMCgR0aWNrGAMgASgNEg4KBmVudGl0eRgEIAEoDRIPCgdtZXNzYWdlGAUgASgJEhkKEXZpZXdfdGltZV9jbGFtcGVkGAYgASgIEhYKDnJldHJ5X2FmdGVyX21zGAcgASgNIjYKBFBvbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYSFgoOc2VydmVyX3RpbWVfdXMYAiABKAYivwEKCldvcmxkU3RhdHMSDAoEdGljaxgBIAEoDRIOCgZib2RpZXMYAiABKA0SDQoFYXdha2UYAyABKA0SEAoIY29udGFjdHMYBCABKA0SDwoHY2xpZW50cxgFIAEoDRIUCgxzdGVwX21zX21lYW4YBiABKAESEwoLc3RlcF9tc19tYXgYByABKAESEgoKbGF0ZV90aWNrcxgIIAEoDRIOCgZwYXVzZWQYCSABKAkSEgoKdGltZV9zY2FsZRgKIAEoASI+CgZOb3RpY2USIwoEY29kZRgBIAEoDjIVLmpvc3RsZS52MS5Ob3RpY2VDb2RlEg8KB21lc3NhZ2UYAiABKAkixAMKBkV2ZW50cxIMCgR0aWNrGAEgASgNEi8KDmNvbnRhY3RzX2JlZ2FuGAIgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIvCg5jb250YWN0c19lbmRlZBgDIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSKQoIY29udGFjdHMYBCADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EiUKBGhpdHMYBSADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EjEKEHRyaWdnZXJzX2VudGVyZWQYBiADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50EjAKD3RyaWdnZXJzX3N0YXllZBgHIAMoCzIXLmpvc3RsZS52MS5UcmlnZ2VyRXZlbnQSLgoNdHJpZ2dlcnNfbGVmdBgIIAMoCzIXLmpvc3RsZS52MS5UcmlnZ2VyRXZlbnQSMAoMam9pbnRzX2Jyb2tlGAkgAygLMhouam9zdGxlLnYxLkpvaW50QnJlYWtFdmVudBITCgtmZWxsX2FzbGVlcBgKIAMoDRIMCgR3b2tlGAsgAygNEg4KBm1pc3NlZBgMIAEoDSKTAQoMQ29udGFjdEV2ZW50EhAKCGVudGl0eV9hGAEgASgNEhAKCGVudGl0eV9iGAIgASgNEh4KBXBvaW50GAMgASgLMg8uam9zdGxlLnYxLlZlYzMSHwoGbm9ybWFsGAQgASgLMg8uam9zdGxlLnYxLlZlYzMSDQoFc3BlZWQYBSABKAESDwoHaW1wdWxzZRgGIAEoASIvCgxUcmlnZ2VyRXZlbnQSDwoHdHJpZ2dlchgBIAEoDRIOCgZlbnRpdHkYAiABKA0iVAoPSm9pbnRCcmVha0V2ZW50EhAKCGVudGl0eV9hGAEgASgNEhAKCGVudGl0eV9iGAIgASgNEg0KBWZvcmNlGAMgASgBEg4KBnRvcnF1ZRgEIAEoASqOAQoLQ2hhbm5lbEZvcm0SHAoYQ0hBTk5FTF9GT1JNX1VOU1BFQ0lGSUVEEAASFwoTQ0hBTk5FTF9GT1JNX1BBUkFNUxABEhcKE0NIQU5ORUxfRk9STV9QT0lOVFMQAhIVChFDSEFOTkVMX0ZPUk1fU0VFRBAEIgQIAxADKhJDSEFOTkVMX0ZPUk1fRklFTEQqnAEKCVBvaW50Rm9ybRIaChZQT0lOVF9GT1JNX1VOU1BFQ0lGSUVEEAASFAoQUE9JTlRfRk9STV9MT09TRRABEhYKElBPSU5UX0ZPUk1fU1RSQU5EUxACEhMKD1BPSU5UX0ZPUk1fR1JJRBADEhgKFFBPSU5UX0ZPUk1fVFJJQU5HTEVTEAQSFgoSUE9JTlRfRk9STV9IRUlHSFRTEAUqvwEKCUlucHV0Q29kZRIaChZJTlBVVF9DT0RFX1VOU1BFQ0lGSUVEEAASFgoSSU5QVVRfQ09ERV9BUFBMSUVEEAESFgoSSU5QVVRfQ09ERV9JTlZBTElEEAISGAoUSU5QVVRfQ09ERV9OT1RfRk9VTkQQAxIaChZJTlBVVF9DT0RFX05PVF9BTExPV0VEEAQSFAoQSU5QVVRfQ09ERV9MSU1JVBAFEhoKFklOUFVUX0NPREVfVU5BVkFJTEFCTEUQBiq3AQoKTm90aWNlQ29kZRIbChdOT1RJQ0VfQ09ERV9VTlNQRUNJRklFRBAAEhgKFE5PVElDRV9DT0RFX0RSQUlOSU5HEAESHAoYTk9USUNFX0NPREVfV09STERfQ0xPU0VEEAISFwoTTk9USUNFX0NPREVfUkVGVVNFRBADEhoKFk5PVElDRV9DT0RFX1JBVEVfTElNSVQQBBIfChtOT1RJQ0VfQ09ERV9XT1JMRF9SRVNUQVJURUQQBTJNCgtQbGF5U2VydmljZRI+CgRQbGF5Ehguam9zdGxlLnYxLkNsaWVudE1lc3NhZ2UaGC5qb3N0bGUudjEuU2VydmVyTWVzc2FnZSgBMAFiBnByb3RvMw", [file_jostle_v1_common, file_jostle_v1_scene]);
 
 /**
  * A message from the client to the server.
@@ -362,6 +362,12 @@ export type Input = Message<"jostle.v1.Input"> & {
      */
     value: ControlInput;
     case: "control";
+  } | {
+    /**
+     * @generated from field: jostle.v1.CutInput cut = 10;
+     */
+    value: CutInput;
+    case: "cut";
   } | { case: undefined; value?: undefined };
 
   /**
@@ -436,7 +442,8 @@ export const SpawnInputSchema: GenMessage<SpawnInput> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 6);
 
 /**
- * A ray that selects the target of an input: the first shape that it hits, except triggers.
+ * A ray that selects the target of an input: the first shape that it hits, except triggers, or a rope or cloth in front
+ * of it.
  *
  * @generated from message jostle.v1.Aim
  */
@@ -464,8 +471,8 @@ export type Aim = Message<"jostle.v1.Aim"> & {
 
   /**
    * Lag compensation: the view time at which the client rendered the world. The server casts the ray against the poses
-   * of that time with the current shapes. Entities that spawned later or are gone cannot be hit. The input then acts on
-   * the hit entity at its current pose, at the same point of the body. A view time older than the stored frames
+   * of that time with the current shapes, and against the current ropes and cloths. Entities that spawned later or are
+   * gone cannot be hit. The input then acts on the hit entity at its current pose, at the same point of the body. A view time older than the stored frames
    * (tick.lag_compensation_ms_max in the server's settings) is clamped to the oldest frame, and the result has
    * `view_time_clamped`.
    *
@@ -509,11 +516,19 @@ export type ImpulseInput = Message<"jostle.v1.ImpulseInput"> & {
   point?: Vec3 | undefined;
 
   /**
-   * replaces entity and point
+   * replaces entity, point and object
    *
    * @generated from field: jostle.v1.Aim aim = 4;
    */
   aim?: Aim | undefined;
+
+  /**
+   * A rope or cloth (PointObject.id) instead of an entity: pushes its points within 0.3 m of the one that is nearest to
+   * `point`, which must be set, by at most 20 m/s.
+   *
+   * @generated from field: uint32 object = 5;
+   */
+  object: number;
 };
 
 /**
@@ -524,7 +539,7 @@ export const ImpulseInputSchema: GenMessage<ImpulseInput> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 8);
 
 /**
- * Attaches a point of a dynamic body to a target with a spring. A client grabs one body at a time.
+ * Attaches a point of a dynamic body, a rope or a cloth to a target with a spring. A client grabs one thing at a time.
  *
  * @generated from message jostle.v1.GrabInput
  */
@@ -542,11 +557,18 @@ export type GrabInput = Message<"jostle.v1.GrabInput"> & {
   point?: Vec3 | undefined;
 
   /**
-   * replaces entity and point
+   * replaces entity, point and object
    *
    * @generated from field: jostle.v1.Aim aim = 3;
    */
   aim?: Aim | undefined;
+
+  /**
+   * A rope or cloth (PointObject.id) instead of an entity: grabs its point that is nearest to `point`.
+   *
+   * @generated from field: uint32 object = 4;
+   */
+  object: number;
 };
 
 /**
@@ -653,6 +675,41 @@ export const ExplodeInputSchema: GenMessage<ExplodeInput> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 13);
 
 /**
+ * Cuts a rope in two, or tears a cloth where it is cut.
+ *
+ * @generated from message jostle.v1.CutInput
+ */
+export type CutInput = Message<"jostle.v1.CutInput"> & {
+  /**
+   * a rope or cloth (PointObject.id): cuts it at its inner point that is nearest to `point`
+   *
+   * @generated from field: uint32 object = 1;
+   */
+  object: number;
+
+  /**
+   * m, each component within 1e4
+   *
+   * @generated from field: jostle.v1.Vec3 point = 2;
+   */
+  point?: Vec3 | undefined;
+
+  /**
+   * replaces object and point
+   *
+   * @generated from field: jostle.v1.Aim aim = 3;
+   */
+  aim?: Aim | undefined;
+};
+
+/**
+ * Describes the message jostle.v1.CutInput.
+ * Use `create(CutInputSchema)` to create a new message.
+ */
+export const CutInputSchema: GenMessage<CutInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 14);
+
+/**
  * Takes control of an entity that is controllable (Entity.controllable) and that no other client controls. A client
  * controls one entity at a time. When the client disconnects, the controls become neutral.
  *
@@ -672,7 +729,7 @@ export type PossessInput = Message<"jostle.v1.PossessInput"> & {
  * Use `create(PossessInputSchema)` to create a new message.
  */
 export const PossessInputSchema: GenMessage<PossessInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 14);
+  messageDesc(file_jostle_v1_play, 15);
 
 /**
  * Control state of the controlled entity, in effect until the next ControlInput. The module of the entity defines the
@@ -701,7 +758,7 @@ export type ControlInput = Message<"jostle.v1.ControlInput"> & {
  * Use `create(ControlInputSchema)` to create a new message.
  */
 export const ControlInputSchema: GenMessage<ControlInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 15);
+  messageDesc(file_jostle_v1_play, 16);
 
 /**
  * Acknowledges decoded snapshots.
@@ -744,7 +801,7 @@ export type Ack = Message<"jostle.v1.Ack"> & {
  * Use `create(AckSchema)` to create a new message.
  */
 export const AckSchema: GenMessage<Ack> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 16);
+  messageDesc(file_jostle_v1_play, 17);
 
 /**
  * Measures the clock offset and the round-trip time. The server answers with a Pong.
@@ -765,7 +822,7 @@ export type Ping = Message<"jostle.v1.Ping"> & {
  * Use `create(PingSchema)` to create a new message.
  */
 export const PingSchema: GenMessage<Ping> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 17);
+  messageDesc(file_jostle_v1_play, 18);
 
 /**
  * Ends the session. The server removes the client at once, without a resume timeout, and closes the stream with OK.
@@ -780,7 +837,7 @@ export type Leave = Message<"jostle.v1.Leave"> & {
  * Use `create(LeaveSchema)` to create a new message.
  */
 export const LeaveSchema: GenMessage<Leave> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 18);
+  messageDesc(file_jostle_v1_play, 19);
 
 /**
  * A message from the server to the client.
@@ -837,7 +894,7 @@ export type ServerMessage = Message<"jostle.v1.ServerMessage"> & {
  * Use `create(ServerMessageSchema)` to create a new message.
  */
 export const ServerMessageSchema: GenMessage<ServerMessage> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 19);
+  messageDesc(file_jostle_v1_play, 20);
 
 /**
  * State of the entities of one interest cell, encoded like a frame (WIRE.md, "Cells").
@@ -884,7 +941,7 @@ export type CellUpdate = Message<"jostle.v1.CellUpdate"> & {
  * Use `create(CellUpdateSchema)` to create a new message.
  */
 export const CellUpdateSchema: GenMessage<CellUpdate> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 20);
+  messageDesc(file_jostle_v1_play, 21);
 
 /**
  * Accepts a Hello. The first message of a stream.
@@ -1038,7 +1095,7 @@ export type Welcome = Message<"jostle.v1.Welcome"> & {
  * Use `create(WelcomeSchema)` to create a new message.
  */
 export const WelcomeSchema: GenMessage<Welcome> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 21);
+  messageDesc(file_jostle_v1_play, 22);
 
 /**
  * Credentials for datagrams in addition to this stream (WIRE.md, "Datagrams"). Valid as long as the stream.
@@ -1073,7 +1130,7 @@ export type DatagramCredentials = Message<"jostle.v1.DatagramCredentials"> & {
  * Use `create(DatagramCredentialsSchema)` to create a new message.
  */
 export const DatagramCredentialsSchema: GenMessage<DatagramCredentials> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 22);
+  messageDesc(file_jostle_v1_play, 23);
 
 /**
  * A kind of channel: state that a module publishes for an entity or for itself, as a list of integers (WIRE.md,
@@ -1107,7 +1164,7 @@ export type ChannelKind = Message<"jostle.v1.ChannelKind"> & {
  * Use `create(ChannelKindSchema)` to create a new message.
  */
 export const ChannelKindSchema: GenMessage<ChannelKind> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 23);
+  messageDesc(file_jostle_v1_play, 24);
 
 /**
  * The constant properties of a point object: a rope, a cloth, a group of particles. It precedes the first PointUpdate
@@ -1225,7 +1282,7 @@ export type PointObject = Message<"jostle.v1.PointObject"> & {
  * Use `create(PointObjectSchema)` to create a new message.
  */
 export const PointObjectSchema: GenMessage<PointObject> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 24);
+  messageDesc(file_jostle_v1_play, 25);
 
 /**
  * A state of a point object (WIRE.md, "Points").
@@ -1278,7 +1335,7 @@ export type PointUpdate = Message<"jostle.v1.PointUpdate"> & {
  * Use `create(PointUpdateSchema)` to create a new message.
  */
 export const PointUpdateSchema: GenMessage<PointUpdate> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 25);
+  messageDesc(file_jostle_v1_play, 26);
 
 /**
  * Quantization of poses; WIRE.md has the formulas.
@@ -1306,7 +1363,7 @@ export type QuantSpec = Message<"jostle.v1.QuantSpec"> & {
  * Use `create(QuantSpecSchema)` to create a new message.
  */
 export const QuantSpecSchema: GenMessage<QuantSpec> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 26);
+  messageDesc(file_jostle_v1_play, 27);
 
 /**
  * A chunk of a shape of more than 1 kB, sent once for all bodies that use it: a serialized Shape with only its kind
@@ -1348,7 +1405,7 @@ export type GeometryChunk = Message<"jostle.v1.GeometryChunk"> & {
  * Use `create(GeometryChunkSchema)` to create a new message.
  */
 export const GeometryChunkSchema: GenMessage<GeometryChunk> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 27);
+  messageDesc(file_jostle_v1_play, 28);
 
 /**
  * Changes in the list of entities since the last EntityUpdate to this client. The first ones list all entities. A large
@@ -1373,7 +1430,7 @@ export type EntityUpdate = Message<"jostle.v1.EntityUpdate"> & {
  * Use `create(EntityUpdateSchema)` to create a new message.
  */
 export const EntityUpdateSchema: GenMessage<EntityUpdate> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 28);
+  messageDesc(file_jostle_v1_play, 29);
 
 /**
  * @generated from message jostle.v1.Entity
@@ -1470,7 +1527,7 @@ export type Entity = Message<"jostle.v1.Entity"> & {
  * Use `create(EntitySchema)` to create a new message.
  */
 export const EntitySchema: GenMessage<Entity> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 29);
+  messageDesc(file_jostle_v1_play, 30);
 
 /**
  * Everything that the server sends to a client for one tick.
@@ -1601,7 +1658,7 @@ export type Snapshot = Message<"jostle.v1.Snapshot"> & {
  * Use `create(SnapshotSchema)` to create a new message.
  */
 export const SnapshotSchema: GenMessage<Snapshot> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 30);
+  messageDesc(file_jostle_v1_play, 31);
 
 /**
  * The part of a snapshot that concerns only the receiving client.
@@ -1658,7 +1715,7 @@ export type ClientUpdate = Message<"jostle.v1.ClientUpdate"> & {
  * Use `create(ClientUpdateSchema)` to create a new message.
  */
 export const ClientUpdateSchema: GenMessage<ClientUpdate> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 31);
+  messageDesc(file_jostle_v1_play, 32);
 
 /**
  * State of the entity that this client controls, for prediction. Sent at most 16 times per second to clients that
@@ -1721,7 +1778,7 @@ export type ControlledEntityState = Message<"jostle.v1.ControlledEntityState"> &
  * Use `create(ControlledEntityStateSchema)` to create a new message.
  */
 export const ControlledEntityStateSchema: GenMessage<ControlledEntityState> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 32);
+  messageDesc(file_jostle_v1_play, 33);
 
 /**
  * @generated from message jostle.v1.InputResult
@@ -1778,7 +1835,7 @@ export type InputResult = Message<"jostle.v1.InputResult"> & {
  * Use `create(InputResultSchema)` to create a new message.
  */
 export const InputResultSchema: GenMessage<InputResult> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 33);
+  messageDesc(file_jostle_v1_play, 34);
 
 /**
  * Answers a Ping.
@@ -1806,7 +1863,7 @@ export type Pong = Message<"jostle.v1.Pong"> & {
  * Use `create(PongSchema)` to create a new message.
  */
 export const PongSchema: GenMessage<Pong> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 34);
+  messageDesc(file_jostle_v1_play, 35);
 
 /**
  * Statistics of a world, sent twice per second by default (stream.stats_per_second in the server's settings).
@@ -1889,7 +1946,7 @@ export type WorldStats = Message<"jostle.v1.WorldStats"> & {
  * Use `create(WorldStatsSchema)` to create a new message.
  */
 export const WorldStatsSchema: GenMessage<WorldStats> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 35);
+  messageDesc(file_jostle_v1_play, 36);
 
 /**
  * @generated from message jostle.v1.Notice
@@ -1911,7 +1968,7 @@ export type Notice = Message<"jostle.v1.Notice"> & {
  * Use `create(NoticeSchema)` to create a new message.
  */
 export const NoticeSchema: GenMessage<Notice> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 36);
+  messageDesc(file_jostle_v1_play, 37);
 
 /**
  * Events of one tick, sorted by entity. Sent only to subscribers (Hello.events), for ticks with events. A client that
@@ -1996,7 +2053,7 @@ export type Events = Message<"jostle.v1.Events"> & {
  * Use `create(EventsSchema)` to create a new message.
  */
 export const EventsSchema: GenMessage<Events> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 37);
+  messageDesc(file_jostle_v1_play, 38);
 
 /**
  * @generated from message jostle.v1.ContactEvent
@@ -2046,7 +2103,7 @@ export type ContactEvent = Message<"jostle.v1.ContactEvent"> & {
  * Use `create(ContactEventSchema)` to create a new message.
  */
 export const ContactEventSchema: GenMessage<ContactEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 38);
+  messageDesc(file_jostle_v1_play, 39);
 
 /**
  * @generated from message jostle.v1.TriggerEvent
@@ -2070,7 +2127,7 @@ export type TriggerEvent = Message<"jostle.v1.TriggerEvent"> & {
  * Use `create(TriggerEventSchema)` to create a new message.
  */
 export const TriggerEventSchema: GenMessage<TriggerEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 39);
+  messageDesc(file_jostle_v1_play, 40);
 
 /**
  * @generated from message jostle.v1.JointBreakEvent
@@ -2106,7 +2163,7 @@ export type JointBreakEvent = Message<"jostle.v1.JointBreakEvent"> & {
  * Use `create(JointBreakEventSchema)` to create a new message.
  */
 export const JointBreakEventSchema: GenMessage<JointBreakEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 40);
+  messageDesc(file_jostle_v1_play, 41);
 
 /**
  * Layout of the integers, for viewers that do not know the module.

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: MIT
+//
+// Spreads an impulse over the mass points of a deformable object near the point where it acts.
+#pragma once
+
+#include <cstddef>
+#include <vector>
+
+#include "jostle/modules/deformables.h"
+#include "jostle/physics/scalar.h"
+
+namespace jostle::modules {
+
+/// Velocity changes (m/s) of `count` mass points by an impulse (N s) at a point (m), spread with
+/// the weights (1 - (d / push_radius)^2) times mass; none exceeds Deformables::push_speed_max.
+/// `position_of` and `mass_of` return those of a mass point, in m and kg. If no mass point is
+/// within the radius, `nearest` receives the impulse.
+template <class PositionOf, class MassOf>
+std::vector<physics::Vec3> spread_impulse(std::size_t count, std::size_t nearest,
+                                          physics::Vec3 point, physics::Vec3 impulse,
+                                          const PositionOf& position_of, const MassOf& mass_of) {
+    std::vector<double> shares(count);
+    double sum = 0;
+    for (std::size_t k = 0; k < count; k++) {
+        const double far = physics::length(position_of(k) - point) / Deformables::push_radius;
+        shares[k] = far < 1 ? 1 - far * far : 0;
+        sum += shares[k] * mass_of(k);
+    }
+    if (!(sum > 0)) {
+        shares[nearest] = 1;
+        sum = mass_of(nearest);
+    }
+    physics::Vec3 change = impulse * (1 / sum);
+    const double speed = physics::length(change);
+    if (speed > Deformables::push_speed_max) change *= Deformables::push_speed_max / speed;
+    std::vector<physics::Vec3> changes(count);
+    for (std::size_t k = 0; k < count; k++) changes[k] = change * shares[k];
+    return changes;
+}
+
+}  // namespace jostle::modules

@@ -73,6 +73,21 @@ Status check_access(const Config& c) {
     return {};
 }
 
+// Either both are 0, or none is; the ranges of jostle/snapshot/precision.h.
+Status check_precision(const StreamSettings& s) {
+    if (s.position_precision_m == 0 && s.rotation_precision_rad == 0) return {};
+    if (s.position_precision_m < 1e-4)
+        return invalid_argument("stream.position_precision_m is " + text(s.position_precision_m) +
+                                "; it must be 0 together with stream.rotation_precision_rad, or "
+                                "from 0.0001 to 1");
+    if (s.rotation_precision_rad < 2e-4)
+        return invalid_argument("stream.rotation_precision_rad is " +
+                                text(s.rotation_precision_rad) +
+                                "; it must be 0 together with stream.position_precision_m, or "
+                                "from 0.0002 to 0.5");
+    return {};
+}
+
 }  // namespace
 
 Status check(const Config& c) {
@@ -122,6 +137,9 @@ Status check(const Config& c) {
         {"stream.ack_window_max_ms", c.stream.ack_window_max_ms, 200, 60000},
         {"stream.ack_interval_ms", c.stream.ack_interval_ms, 1, 1000},
         {"stream.interest_cell_m", c.stream.interest_cell_m, 1, 100000},
+        {"stream.position_precision_m", c.stream.position_precision_m, 0, 1},
+        {"stream.rotation_precision_rad", c.stream.rotation_precision_rad, 0, 0.5},
+        {"stream.far_precision_factor", c.stream.far_precision_factor, 1, 1000},
         {"stream.heartbeats_per_second", c.stream.heartbeats_per_second, 0.5, 1000},
         {"stream.hello_timeout_seconds", c.stream.hello_timeout_seconds, 0.1, 3600},
         {"stream.client_timeout_seconds", c.stream.client_timeout_seconds, 0.5, 86400},
@@ -146,6 +164,7 @@ Status check(const Config& c) {
         if (!(r.low <= r.value && r.value <= r.high))
             return invalid_argument(std::string(r.key) + " is " + text(r.value) +
                                     "; it must be from " + text(r.low) + " to " + text(r.high));
+    if (Status s = check_precision(c.stream); !s.ok()) return s;
     for (const auto& [key, address] : {std::pair("listen", c.listen), std::pair("http", c.http)})
         if (const auto parsed = parse_host_port(address); !parsed.ok())
             return invalid_argument(std::string(key) + ": " + parsed.error().message);

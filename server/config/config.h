@@ -95,6 +95,10 @@ struct StreamSettings {
     double stats_per_second = 2;
     int codec = 2;                // of snapshots: the highest codec that the server offers
     double interest_cell_m = 32;  // cell edge of the interest grid
+    // Greatest error of decoded poses in worlds and for clients that do not set their own; both 0:
+    // the nearest units of 2 mm and 0.2 degrees.
+    double position_precision_m = 0, rotation_precision_rad = 0;
+    double far_precision_factor = 1;  // coarser beyond half of the radius of interest
     // Snapshots per second to a client while nothing moves in its world.
     double heartbeats_per_second = 4;
 };

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "jostle/base/check.h"
+#include "jostle/snapshot/entity_diff.h"
 #include "jostle/snapshot/quantize.h"
 
 namespace jostle::server {
@@ -14,10 +15,24 @@ namespace {
 
 static_assert(PoseList::block_size == snapshot::crc_block);
 
-snapshot::EntityState quantized_pose(const EntityPose& e, const snapshot::QuantSpec& spec) {
+snapshot::Pose pose_of(const EntityPose& e) {
     const auto& p = e.pose.position;
     const auto& q = e.pose.rotation;
-    return snapshot::quantize(e.id, {{p.x, p.y, p.z}, {q.x, q.y, q.z, q.w}}, !e.awake, spec);
+    return {{p.x, p.y, p.z}, {q.x, q.y, q.z, q.w}};
+}
+
+// Finds the pose of an entity by its id, which is at `guess` if the entity list is the same.
+const EntityPose* find_pose(const PoseList& poses, EntityId id, std::size_t guess) {
+    if (guess < poses.size() && poses[guess].id == id) return &poses[guess];
+    std::size_t low = 0, high = poses.size();
+    while (low < high) {
+        const std::size_t middle = (low + high) / 2;
+        if (poses[middle].id < id)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low < poses.size() && poses[low].id == id ? &poses[low] : nullptr;
 }
 
 // Baselines up to this factor older than the best ones are used to share an encoding.
@@ -104,13 +119,45 @@ void SnapshotCache::quantize(Entry& entry, const Entry* previous, Entry oldest) 
             if (b < entry.block_crcs.size()) entry.block_crcs[b] = previous->block_crcs[b];
             continue;
         }
-        std::ranges::transform(*blocks[b], to.begin(),
-                               [&](const EntityPose& pose) { return quantized_pose(pose, spec_); });
+        quantize_block(entry, b);
         entry.block_rests[b] = std::ranges::all_of(to, &snapshot::EntityState::at_rest);
         if (b < entry.block_crcs.size()) entry.block_crcs[b] = snapshot::block_crc(to);
     }
     ASSERT(changed || previous);
     entry.crc = changed ? snapshot::frame_crc(entry.quantized, entry.block_crcs) : previous->crc;
+}
+
+// With a precision, the states depend on those of the two quantized frames before this one.
+void SnapshotCache::quantize_block(Entry& entry, std::size_t block) const {
+    const std::size_t first = block * PoseList::block_size;
+    const Entry *last = nullptr, *before_last = nullptr;
+    if (precision_.is_set()) {
+        auto at = entries_.find(entry.frame->tick);
+        if (at != entries_.begin()) last = &(--at)->second;
+        if (last && at != entries_.begin()) before_last = &(--at)->second;
+    }
+    snapshot::SentMotion sent;
+    if (last) sent.spacing.dt1 = entry.frame->tick - last->frame->tick;
+    if (before_last) sent.spacing.dt2 = last->frame->tick - before_last->frame->tick;
+    // A longer gap has no meaningful prediction.
+    if (sent.spacing.dt1 > snapshot::baseline_distance_max ||
+        sent.spacing.dt2 > snapshot::baseline_distance_max)
+        last = before_last = nullptr, sent.spacing = {};
+    snapshot::EntityFinder in_last(last ? &last->quantized : nullptr),
+        in_before_last(before_last ? &before_last->quantized : nullptr);
+    std::size_t at = first;
+    for (const EntityPose& pose : *entry.frame->entities.blocks()[block]) {
+        sent.last = in_last.find(pose.id);
+        sent.before_last = in_before_last.find(pose.id);
+        const EntityPose* last_pose =
+            sent.last ? find_pose(last->frame->entities, pose.id, at) : nullptr;
+        const snapshot::Pose truth = last_pose ? pose_of(*last_pose) : snapshot::Pose{};
+        sent.last_pose = last_pose ? &truth : nullptr;
+        entry.quantized.entities[at++] =
+            precision_.is_set() ? snapshot::quantize_within(precision_, pose.id, pose_of(pose),
+                                                            !pose.awake, sent, spec_)
+                                : snapshot::quantize(pose.id, pose_of(pose), !pose.awake, spec_);
+    }
 }
 
 // Blocks that both frames share, and in which all entities are at rest.
@@ -166,14 +213,16 @@ SnapshotCache::Shared SnapshotCache::shared_encoding(const FramePtr& frame,
     return {encode(entry, best, kinds, poses), true};
 }
 
-// The baselines that are stored. Each is usable only with the previous one, in descending order.
+// The baselines that are stored and predictable. Each is usable only with the previous one, in
+// descending order.
 snapshot::BaselineFrames SnapshotCache::held(const snapshot::BaselineFrames& wanted,
                                              std::uint32_t tick) const {
-    const bool first = wanted.baseline < tick && find(wanted.baseline);
-    const bool second = first && wanted.baseline2 < wanted.baseline && find(wanted.baseline2);
-    const bool third = second && wanted.baseline3 < wanted.baseline2 && find(wanted.baseline3);
-    return {first ? wanted.baseline : 0, second ? wanted.baseline2 : 0,
-            third ? wanted.baseline3 : 0};
+    const snapshot::BaselineFrames usable = snapshot::predictable(tick, wanted, spec_);
+    const bool first = usable.baseline < tick && find(usable.baseline);
+    const bool second = first && usable.baseline2 < usable.baseline && find(usable.baseline2);
+    const bool third = second && usable.baseline3 < usable.baseline2 && find(usable.baseline3);
+    return {first ? usable.baseline : 0, second ? usable.baseline2 : 0,
+            third ? usable.baseline3 : 0};
 }
 
 SharedBytes SnapshotCache::encode(Entry& entry, const snapshot::BaselineFrames& wanted,

@@ -21,6 +21,7 @@
 #include "jostle/snapshot/baseline_frames.h"
 #include "jostle/snapshot/channel_codec.h"
 #include "jostle/snapshot/frame_codec.h"
+#include "jostle/snapshot/precision.h"
 #include "server/replication/baseline_tracker.h"
 #include "server/world/frame.h"
 
@@ -47,8 +48,10 @@ public:
     // has one.
     static constexpr int encodings_per_frame_max = 16;
 
-    SnapshotCache(snapshot::QuantSpec spec, Serialize serialize)
-        : spec_(spec), serialize_(std::move(serialize)) {}
+    // `precision`: guaranteed for every pose in the units of `spec`. Not set: poses are rounded to
+    // the nearest units.
+    SnapshotCache(snapshot::QuantSpec spec, Serialize serialize, snapshot::Precision precision = {})
+        : spec_(spec), precision_(precision), serialize_(std::move(serialize)) {}
 
     // Encodes the frame against the baselines; baselines that left the ring are omitted, and
     // without a first baseline the encoding is a keyframe. `kinds`: one bit per requested channel
@@ -110,12 +113,14 @@ private:
     snapshot::BaselineFrames held(const snapshot::BaselineFrames& wanted, std::uint32_t tick) const;
     Entry& entry_of(const FramePtr& frame);
     void quantize(Entry& entry, const Entry* previous, Entry oldest) const;
+    void quantize_block(Entry& entry, std::size_t block) const;
     Entry* find(std::uint32_t frame);
     const Entry* find(std::uint32_t frame) const;
     static std::vector<snapshot::UnchangedRun> unchanged_runs(const Entry& entry,
                                                               const Entry& baseline);
 
     const snapshot::QuantSpec spec_;
+    const snapshot::Precision precision_;
     const Serialize serialize_;
     mutable std::mutex mutex_;
     std::map<std::uint32_t, Entry> entries_;  // by frame number, at most `ring`

@@ -31,10 +31,12 @@ snapshot::Codec codec_for(const Hello& hello, const StreamSettings& settings) {
 SnapshotStream::SnapshotStream(const Parts& parts, const Hello& hello, int divider)
     : parts_(parts),
       codec_(codec_for(hello, parts.context.config.stream)),
-      entities_(parts.broadcast, baselines_, parts.outbox),
+      entities_(parts.broadcast, baselines_, parts.outbox,
+                hello.packed_entities ? EntityForm::packed : EntityForm::complete),
       schedule_(parts.context.config.stream, parts.broadcast.host().hz(), divider, parts.overload),
       sections_({.context = parts.context,
                  .broadcast = parts.broadcast,
+                 .poses = *parts.poses,
                  .entities = entities_,
                  .inputs = parts.inputs,
                  .schedule = schedule_,
@@ -81,7 +83,7 @@ FramePtr SnapshotStream::frame_to_send(const FramePtr& newest) const {
     if (tick == 0 || tick >= newest->tick || newest->tick - tick > shared_frame_age_max ||
         !parts_.inputs.results().empty())
         return newest;
-    const FramePtr shared = parts_.broadcast.snapshots().frame(tick);
+    const FramePtr shared = parts_.poses->snapshots().frame(tick);
     return shared && tick > newest_sent() ? shared : newest;
 }
 
@@ -130,7 +132,7 @@ std::optional<OutMessage> SnapshotStream::make_snapshot(const FramePtr& frame,
             baselines_ = *std::move(baselines);
     ASSERT(frame->tick > baselines_.last());
     // Before the sections, whose data counts as sent.
-    SharedBytes shared = has_cells() ? parts_.broadcast.snapshots().encoding(
+    SharedBytes shared = has_cells() ? parts_.poses->snapshots().encoding(
                                            frame, baselines_.baselines_for(frame->tick),
                                            sections_.channel_kinds(), std::nullopt)
                                      : encode(frame, baselines_);
@@ -220,8 +222,8 @@ FramePtr SnapshotStream::prepare_datagram(const FramePtr& newest, Clock::time_po
 }
 
 SharedBytes SnapshotStream::encode(const FramePtr& frame, const BaselineTracker& known) {
-    SnapshotCache::Shared shared = parts_.broadcast.snapshots().shared_encoding(
-        frame, known, sections_.channel_kinds(), codec_);
+    SnapshotCache::Shared shared =
+        parts_.poses->snapshots().shared_encoding(frame, known, sections_.channel_kinds(), codec_);
     if (shared.fresh) parts_.metrics.encoded_snapshot();
     if (!shared.bytes) schedule_.defer();
     return std::move(shared.bytes);
@@ -241,12 +243,14 @@ void SnapshotStream::suspend(DisconnectedClient& client) {
     client.baselines = std::move(baselines_);
     client.sent_geometry = entities_.take_geometry();
     client.channel_kinds = sections_.channel_kinds();
+    client.precision = poses().precision();
 }
 
 bool SnapshotStream::resume(DisconnectedClient& lost, SentLog::Known& known, std::uint32_t frame) {
     ASSERT(parts_.sent_log != nullptr);
     if (has_cells() || !lost.stream_resumable || !known.list ||
-        sections_.channel_kinds() != lost.channel_kinds || !lost.baselines.roll_back_to(frame))
+        sections_.channel_kinds() != lost.channel_kinds || poses().precision() != lost.precision ||
+        !lost.baselines.roll_back_to(frame))
         return false;
     baselines_ = std::move(lost.baselines);
     *parts_.sent_log = std::move(lost.sent);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "jostle/base/result.h"
@@ -34,6 +35,7 @@ public:
         PlayContext& context;
         SessionMetrics& metrics;
         BroadcastCache& broadcast;
+        std::shared_ptr<PoseCache> poses;
         InputIntake& inputs;
         Outbox& outbox;
         OverloadControl* overload = nullptr;  // of the thread; null: it is never overloaded
@@ -55,6 +57,7 @@ public:
     Status set_interest(const Interest& interest);
     bool has_cells() const { return sections_.cells() != nullptr; }
     snapshot::Codec codec() const { return codec_; }
+    const PoseCache& poses() const { return *parts_.poses; }
 
     // --- datagrams ---
     // Snapshots go by datagram where possible. Call it before the first message.

@@ -26,7 +26,9 @@ struct LoadOptions {
     // m; radius of each client's area of interest; 0: the whole world. The centres are evenly
     // distributed in a disc of that radius about the origin.
     double interest_radius = 0;
-    std::uint32_t max_kbps = 0;  // bandwidth limit per client, kbit/s; 0: none
+    std::uint32_t max_kbps = 0;     // bandwidth limit per client, kbit/s; 0: none
+    std::uint32_t snapshot_hz = 0;  // requested snapshot rate, Hz; 0: the tick rate of the world
+    std::optional<client::Precision> precision = {};  // nothing: that of the world
 
     // Area of interest of a client, numbered from 0.
     std::optional<client::AreaOfInterest> interest_of(int number) const;

@@ -61,6 +61,7 @@ struct Flags {
     std::string script, json;
     bool passive = false, websocket = false;
     int server_pid = 0;
+    std::vector<double> precision;  // metres, radians and the factor of distant cells
     LoadThresholds plan;
 };
 
@@ -95,6 +96,18 @@ void add_flags(CLI::App& app, Flags& flags) {
                    "[default: unlimited; 16 to 1000000]")
         ->type_name("KBIT/S")
         ->check(CLI::Range(16, 1000000).description(""))
+        ->group("Clients");
+    app.add_option("--snapshot-hz", load.snapshot_hz,
+                   "Request this snapshot rate [default: the tick rate of the world; 1 to 1000]")
+        ->type_name("HZ")
+        ->check(CLI::Range(1, 1000).description(""))
+        ->group("Clients");
+    app.add_option("--precision", flags.precision,
+                   "Request poses within METRES and RADIANS, coarser by FACTOR beyond half of the\n"
+                   "radius of interest [default: the precision of the world]")
+        ->type_name("METRES,RADIANS[,FACTOR]")
+        ->delimiter(',')
+        ->expected(2, 3)
         ->group("Clients");
     CLI::Option* datagrams =
         app.add_flag("--datagrams", load.datagrams,
@@ -187,6 +200,9 @@ jostle::Status finish(Flags& flags) {
         return jostle::invalid_argument("--read-rate-max must not be below --read-rate");
     if (load.read_rate_max != 0 && load.read_rate == 0)
         return jostle::invalid_argument("--read-rate-max requires --read-rate");
+    if (flags.precision.size() >= 2)
+        load.precision = {flags.precision[0], flags.precision[1],
+                          flags.precision.size() > 2 ? flags.precision[2] : 1};
     if (flags.websocket) load.transport = Transport::websocket;
     if (!raise_socket_limit(load.clients))
         return jostle::invalid_argument(

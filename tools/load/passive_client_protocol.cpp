@@ -202,7 +202,7 @@ void PassiveClientProtocol::decode(Bytes bytes) {
     Status applied;
     if (message.has_welcome()) view_->begin(message.welcome());
     if (message.has_geometry()) applied = view_->apply(message.geometry());
-    if (message.has_entity_update()) view_->apply(message.entity_update());
+    if (message.has_entity_update()) applied = view_->apply(message.entity_update());
     if (message.has_snapshot()) {
         applied = view_->apply(message.snapshot());
         metrics_.decoded += applied.ok() ? 1 : 0;
@@ -224,8 +224,15 @@ std::optional<std::string_view> PassiveClientProtocol::take_message(Clock::time_
         hello.set_token(options_.token);
         hello.set_spectator(options_.spectator);
         hello.set_max_kbps(options_.max_kbps);
-        // As the clients of players: the server's cost and bytes depend on it.
+        hello.set_packed_entities(true);
+        hello.set_snapshot_hz(options_.snapshot_hz);
+        // As the clients of players: the cost of the server and the bytes depend on it.
         hello.set_codec(static_cast<std::uint32_t>(snapshot::newest_codec));
+        if (options_.precision) {
+            hello.mutable_precision()->set_position(options_.precision->position);
+            hello.mutable_precision()->set_rotation(options_.precision->rotation);
+            hello.mutable_precision()->set_far_factor(options_.precision->far_factor);
+        }
         if (options_.interest) {
             hello.mutable_interest()->mutable_focus()->set_x(options_.interest->x);
             hello.mutable_interest()->mutable_focus()->set_z(options_.interest->z);

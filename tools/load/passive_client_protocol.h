@@ -31,6 +31,8 @@ struct PassiveClientOptions {
     std::optional<client::AreaOfInterest> interest = {};  // nothing: the whole world
     std::uint32_t max_kbps = 0;                           // 0: no limit
     double read_rate = 0;                                 // messages per second; 0: unlimited
+    std::uint32_t snapshot_hz = 0;                        // 0: the tick rate of the world
+    std::optional<client::Precision> precision = {};      // nothing: that of the world
 };
 
 class PassiveClientProtocol {

@@ -33,6 +33,12 @@ void write(v1::Interest& to, const AreaOfInterest& from) {
     to.set_radius(from.radius);
 }
 
+void write(v1::Precision& to, const Precision& from) {
+    to.set_position(from.position);
+    to.set_rotation(from.rotation);
+    to.set_far_factor(from.far_factor);
+}
+
 v1::Aim* aim_of(v1::Input& input) {
     if (input.has_impulse() && input.impulse().has_aim())
         return input.mutable_impulse()->mutable_aim();
@@ -124,19 +130,22 @@ void PlayProtocol::receive_datagram(const std::string& bytes, Clock::time_point 
     stats_.datagram_snapshots += stats_.snapshots - before;
 }
 
+void PlayProtocol::note_error(const Status& applied) {
+    if (applied.ok()) return;
+    stats_.decode_errors++;
+    stats_.last_error = applied.error().message;
+}
+
 void PlayProtocol::on_message(Clock::time_point now) {
     switch (message_.message_case()) {
         case v1::ServerMessage::kWelcome:
             on_welcome(message_.welcome(), now);
             break;
         case v1::ServerMessage::kGeometry:
-            if (const Status applied = view_.apply(message_.geometry()); !applied.ok()) {
-                stats_.decode_errors++;
-                stats_.last_error = applied.error().message;
-            }
+            note_error(view_.apply(message_.geometry()));
             break;
         case v1::ServerMessage::kEntityUpdate:
-            view_.apply(message_.entity_update());
+            note_error(view_.apply(message_.entity_update()));
             break;
         case v1::ServerMessage::kSnapshot:
             if (message_.snapshot().has_controlled_entity())
@@ -325,8 +334,10 @@ std::string PlayProtocol::hello() {
     hello.set_codec(options_.codec);
     for (const std::string& kind : options_.channels) hello.add_channels(kind);
     hello.set_max_kbps(options_.max_kbps);
+    hello.set_packed_entities(options_.packed_entities);
     hello.set_datagrams(options_.datagrams && !options_.network_conditions.impaired());
     if (options_.interest) write(*hello.mutable_interest(), *options_.interest);
+    if (options_.precision) write(*hello.mutable_precision(), *options_.precision);
     hello.set_resumable(options_.resume && options_.reconnect);
     if (!resume_token_.empty()) {
         hello.mutable_resume()->set_token(resume_token_);

@@ -73,6 +73,7 @@ public:
 private:
     void start_new_session();
     void on_message(Clock::time_point now);
+    void note_error(const Status& applied);
     void on_welcome(const v1::Welcome& welcome, Clock::time_point now);
     void on_snapshot(const v1::Snapshot& snapshot, Clock::time_point now);
     void on_points(const v1::Snapshot& snapshot);

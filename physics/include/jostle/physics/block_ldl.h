@@ -77,8 +77,6 @@ public:
     void solve(std::span<double> x) const;
 
 private:
-    static constexpr std::size_t max_values = max_rows * max_rows;  // per block
-
     template <class T>
     static std::span<const T> column(const std::vector<T>& all, const std::vector<int>& first,
                                      int at) {
@@ -108,7 +106,8 @@ private:
     std::vector<double> values_, inverse_, original_diagonal_, column_;
     std::vector<int> column_at_;
     std::int64_t work_ = 0;
-    int same_rows_ = 0;  // rows of every node, or 0 if they differ
+    std::size_t block_values_ = 0;  // of the largest block
+    int same_rows_ = 0;             // rows of every node, or 0 if they differ
 };
 
 }  // namespace jostle::physics

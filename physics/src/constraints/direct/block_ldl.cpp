@@ -105,7 +105,7 @@ int BlockLdl::factor_columns(double dependent) {
     for (int k = 0; k < n; k++) {
         const int nk = kRows != 0 ? kRows : rows_[as_index(k)];
         double* const pivot = values_.data() + diagonal_[as_index(k)];
-        double* const inverse = inverse_.data() + as_index(k) * max_values;
+        double* const inverse = inverse_.data() + as_index(k) * block_values_;
         const double* const original = original_diagonal_.data() + begin_[as_index(k)];
         if (!negative_.empty() && negative_[as_index(k)] != 0)
             skipped_rows += invert_negative(pivot, nk, original, dependent, inverse);
@@ -190,7 +190,7 @@ void BlockLdl::solve_columns(double* x) const {
     }
     for (int k = n - 1; k >= 0; k--) {
         const int nk = kRows != 0 ? kRows : rows_[as_index(k)];
-        const double* const inverse = inverse_.data() + as_index(k) * max_values;
+        const double* const inverse = inverse_.data() + as_index(k) * block_values_;
         double* const xk = x + begin_[as_index(k)];
         double y[max_block_rows];
         for (int r = 0; r < nk; r++) {

@@ -145,7 +145,9 @@ void BlockLdl::lay_out() {
     }
     first_update_[n] = static_cast<int>(updates_.size());
     values_.assign(as_index(size), 0);
-    inverse_.assign(n * max_values, 0);
+    const int most = n == 0 ? 0 : *std::max_element(rows_.begin(), rows_.end());
+    block_values_ = as_index(most * most);
+    inverse_.assign(n * block_values_, 0);
     original_diagonal_.assign(as_index(rows()), 0);
 }
 

@@ -5,6 +5,7 @@
 #pragma once
 
 #include "jostle/physics/quat.h"
+#include "physics/src/constraints/direct/symmetric_mat3.h"
 
 namespace jostle::physics {
 
@@ -50,13 +51,7 @@ struct DirectBody {
 
 // m diag(d) m^T.
 inline Mat3 in_axes(const Mat3& m, Vec3 d) {
-    const Vec3 x = m.x * d.x, y = m.y * d.y, z = m.z * d.z;
-    const double xy = m.x.x * x.y + m.y.x * y.y + m.z.x * z.y;
-    const double xz = m.x.x * x.z + m.y.x * y.z + m.z.x * z.z;
-    const double yz = m.x.y * x.z + m.y.y * y.z + m.z.y * z.z;
-    return {{m.x.x * x.x + m.y.x * y.x + m.z.x * z.x, xy, xz},
-            {xy, m.x.y * x.y + m.y.y * y.y + m.z.y * z.y, yz},
-            {xz, yz, m.x.z * x.z + m.y.z * y.z + m.z.z * z.z}};
+    return to_mat3(symmetric_in_axes(m, d));
 }
 
 inline Vec3 velocity(const DirectBody& body) {

@@ -5,6 +5,7 @@
 
 #include "jostle/base/check.h"
 #include "physics/src/constraints/direct/free_turn.h"
+#include "physics/src/constraints/direct/step_tolerances.h"
 #include "physics/src/constraints/joints/path_curve.h"
 
 namespace jostle::physics {
@@ -23,6 +24,7 @@ constexpr int max_halvings = 6, max_steps = 1024;
 constexpr std::size_t max_quartered_joints = 32;
 // See may_take_fewer_steps.
 constexpr std::size_t min_large_joints = 24;
+constexpr double slow_turn = 0.05;  // rad in a sub-step
 // After this many sub-steps, a longer one is tried again.
 constexpr int steps_at_halvings = 4;
 // Suzuki's coefficients a, a, 1 - 4 a, a, a with a = 1 / (4 - 4^(1/3)).
@@ -30,12 +32,16 @@ constexpr double suzuki = 0.41449077179437573714;
 constexpr double suzuki_stages[] = {suzuki, suzuki, 1 - 4 * suzuki, suzuki, suzuki};
 constexpr double longest_stage = 4 * suzuki - 1;
 
+// See may_take_fewer_steps. `turn`: of the fastest body over all sub-steps, rad.
+int fewer_steps(int substeps, double turn) {
+    const int half = std::max(4, (substeps + 1) / 2), quarter = std::max(2, (substeps + 3) / 4);
+    return std::min(substeps, turn <= slow_turn * quarter ? quarter : half);
+}
+
 }  // namespace
 
-// Allowed joint error, m: a small part of the error that a step of length h makes anyway. Scaled
-// with the group's size. In a loop it makes dependent rows look independent.
 double DirectGroup::tolerance(double h) const {
-    return minimum(looped_ ? 2e-9 : 1e-5, 0.1 * h * h) * minimum(1, 2 * reach_);
+    return joint_tolerance(h, looped_, reach_);
 }
 
 void DirectGroup::save(int depth) {
@@ -137,6 +143,40 @@ bool DirectGroup::compose_parts(double h) {
     return false;
 }
 
+int DirectGroup::most_parts() const {
+    return is_trial ? 1 : (joints.size() <= max_quartered_joints ? 8 : 2);
+}
+
+// Returns false, and leaves the state in the bodies and joints, if the group is none or its step
+// has to be taken in another way.
+bool DirectGroup::step_ball_tree(double h) {
+    if (!ball_tree_ || outside != nullptr) return false;
+    if (!balls_.is_loaded()) balls_.load(bodies, joints, matrix_);
+    factored_ = false;
+    const bool done = balls_.step(h,
+                                  {.reach = reach_,
+                                   .swing = followed_swing,
+                                   .parts = most_parts(),
+                                   .keeps_energy = smooth_ && time_ > 0,
+                                   .energy = rattle_bounds.gain,
+                                   .energy_gain = energy_step_bounds.gain},
+                                  {matrix_, system_blocks_, right_side_});
+    const BallTree::Count count = balls_.take_count();
+    count_.rattle_steps += count.rattle_steps;
+    count_.energy_steps += count.energy_steps;
+    count_.factors += count.factors;
+    count_.solves += count.solves;
+    if (done)
+        time_ += h;
+    else
+        store_ball_tree();
+    return done;
+}
+
+void DirectGroup::store_ball_tree() {
+    if (balls_.is_loaded()) balls_.store(bodies, joints);
+}
+
 // After a halving, the rest of the advance starts with halved steps. After a failure at the
 // smallest step, it uses the velocity fallback. A net uses it earlier: shorter steps do not help.
 void DirectGroup::step(double h, int depth) {
@@ -146,13 +186,14 @@ void DirectGroup::step(double h, int depth) {
         step(0.5 * h, depth + 1);
         return;
     }
+    if (step_ball_tree(h)) return;
     save(depth);
     ASSERT(depth <= max_halvings);
     const EnergyBooks books = open_books();
     // Two RATTLE steps cost as much as an energy-momentum step and are more accurate. Small groups
     // take up to eight.
     const double swing = stiffest() * h;
-    const int most = is_trial ? 1 : (joints.size() <= max_quartered_joints ? 8 : 2);
+    const int most = most_parts();
     int parts = 1;
     while (parts < most && swing >= followed_swing * parts) parts *= 2;
     if (swing < followed_swing * parts) {
@@ -195,21 +236,22 @@ void DirectGroup::advance(double dt, int substeps) {
     if (turn * longest_stage > followed_turn * parts) parts = 0;
     // Separated ends converge step by step, forward in time.
     if (parts > 0 && set_targets(dt / substeps)) parts = 0;
-    if (parts == 0 && may_take_fewer_steps && joints.size() >= min_large_joints && substeps > 4)
-        substeps = std::max(4, (substeps + 1) / 2);
+    if (parts == 0 && may_take_fewer_steps && joints.size() >= min_large_joints)
+        substeps = fewer_steps(substeps, turn);
     for (int part = 0; part < parts; part++) {
         const double h = dt / parts;
+        store_ball_tree();
         save(0);
         if (compose_parts(h)) continue;
         const int steps = static_cast<int>(maximum(1, substeps / parts));
         ASSERT(steps >= 1);
         for (int k = 0; k < steps; k++) step(h / steps, 1);
     }
-    if (parts > 0) return;
-    for (int k = 0; k < substeps; k++) {
+    for (int k = 0; parts == 0 && k < substeps; k++) {
         step(dt / substeps, 1);
         if (k % steps_at_halvings == steps_at_halvings - 1 && halvings_ > 0) halvings_--;
     }
+    store_ball_tree();
 }
 
 // A composition has five steps, forwards and backwards. It requires that no free axis has damping,

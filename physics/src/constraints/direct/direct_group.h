@@ -18,6 +18,7 @@
 #include <limits>
 #include <vector>
 
+#include "physics/src/constraints/direct/ball_tree.h"
 #include "physics/src/constraints/direct/direct_body.h"
 #include "physics/src/constraints/direct/direct_joint.h"
 #include "physics/src/constraints/direct/joint_net.h"
@@ -43,7 +44,8 @@ public:
     // for estimating their error.
     bool is_trial = false;
     // Takes half of the sub-steps, but at least four, if it is large and its steps are not
-    // composed: its errors are of second order and far smaller than those of contacts.
+    // composed: its errors are of second order and far smaller than those of contacts. Takes a
+    // quarter, but at least two, while its bodies turn slowly.
     bool may_take_fewer_steps = false;
 
     // Counters since prepare(), for the profile and for tests.
@@ -114,6 +116,10 @@ private:
 
     // ---- direct_group.cpp ----
     void step(double h, int depth);
+    int most_parts() const;  // RATTLE steps in place of one step
+    bool is_ball_tree() const;
+    bool step_ball_tree(double h);
+    void store_ball_tree();
     int parts_of(double dt, int substeps);
     bool compose(double h);
     bool compose_parts(double h);
@@ -205,6 +211,7 @@ private:
     // Maximum number of retries of a step after a limit or a motor maximum was reached.
     static constexpr int bound_rounds = 4;
 
+    BallTree balls_;  // takes the steps of a ball tree, and holds its state while it does
     BlockLdl matrix_;
     std::vector<JointSystemBlock> system_blocks_,
         gear_blocks_;  // gear_blocks_: one of the two joints is a gear
@@ -223,6 +230,7 @@ private:
     bool limited_ = false;    // some free axes have limits
     bool bounded_ = false;    // limits, actuation or dampers change with the impulses
     bool locked_ = false;     // bodies have locked axes
+    bool ball_tree_ = false;  // the group has ball joints only, and no loop
     bool straight_ = false;   // bodies keep their spin instead of their angular momentum
     bool energy_ = false;     // the current step is an energy-momentum step
     double spring_rate_ = 0;  // rad/s: upper bound of the spring rates

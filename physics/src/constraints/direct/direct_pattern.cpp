@@ -98,12 +98,23 @@ bool DirectGroup::prepare(std::int64_t max_work) {
         else
             for (int k = 0; k < joint.gear[0].part_count; k++)
                 pattern.insert(pattern.end(), {-1, joint.gear[0].parts[k].body});
-    if (pattern == pattern_) return matrix_.work() <= max_work;
-    ASSERT(max_work >= 0);
-    pattern_.clear();
-    if (!find_pattern(max_work)) return false;
-    pattern_ = std::move(pattern);
-    return true;
+    if (pattern != pattern_) {
+        ASSERT(max_work >= 0);
+        pattern_.clear();
+        if (!find_pattern(max_work)) return false;
+        pattern_ = std::move(pattern);
+    }
+    ball_tree_ = is_ball_tree();
+    return matrix_.work() <= max_work;
+}
+
+bool DirectGroup::is_ball_tree() const {
+    return !looped_ && !net_ && !locked_ && hubs_.hubs.empty() &&
+           std::all_of(joints.begin(), joints.end(),
+                       [](const DirectJoint& joint) { return joint.is_ball_alone(); }) &&
+           std::all_of(bodies.begin(), bodies.end(), [](const DirectBody& body) {
+               return body.pushed || (body.v == Vec3{} && body.w == Vec3{});
+           });
 }
 
 bool DirectGroup::find_pattern(std::int64_t max_work) {

@@ -5,15 +5,12 @@
 // dependent rows can pull with arbitrary force as well: the joints hold at the end of such a step,
 // but the bodies may move at any speed.
 #include "physics/src/constraints/direct/direct_group.h"
-#include "physics/src/foundation/tuning.h"
+#include "physics/src/constraints/direct/step_tolerances.h"
 
 namespace jostle::physics {
 namespace {
 
-// Of the energy of displacements, and of springs.
-constexpr double correction_share = 0.1, spring_share = 0.1;
-// Sum of the tensions relative to the weights. Larger ones are those of a step that fails.
-constexpr double largest_tension = 100;
+constexpr double spring_share = 0.1;  // of the energy of springs
 
 bool is_at_rest(const DirectBody& body) {
     return body.v == Vec3{} && body.w == Vec3{};
@@ -53,8 +50,8 @@ double DirectGroup::work_of_axes() const {
     return work;
 }
 
-// Energy that may change as joint errors are closed or left over, J: weights and tensions do
-// work, bodies are displaced, and the energy of springs is that of an oscillation.
+// Energy that may change in the step, J: that of gaps (step_tolerances.h), and the energy of
+// springs is that of an oscillation.
 double DirectGroup::work_of_errors(double h) const {
     double error = 2 * tolerance(h), weight = 0, tension = 0, mass = 0, springs = 0;
     for (const DirectJoint& joint : joints) {
@@ -73,10 +70,7 @@ double DirectGroup::work_of_errors(double h) const {
     }
     for (const DirectBody& body : bodies)
         if (body.pushed) weight += length(body.force), mass += body.mass;
-    const double left_over = minimum(error, 2 * tolerance(h));
-    const double speed = minimum(error / h, tuning::joint_push_speed);
-    return 2 * weight * error + 2 * minimum(tension, largest_tension * weight) * left_over +
-           correction_share * mass * speed * speed + spring_share * springs;
+    return work_of_gaps({error, tolerance(h), weight, tension, mass}, h) + spring_share * springs;
 }
 
 bool DirectGroup::keeps_energy(const EnergyBooks& before, double h, EnergyBounds bounds) const {

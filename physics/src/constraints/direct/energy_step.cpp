@@ -44,16 +44,8 @@ Vec3 lever_of(const DirectJoint& joint, Vec3 arm, Vec3 apart) {
     return joint.kind == DirectJoint::Points::across ? arm + apart : arm;
 }
 
-// Inverts a positive definite matrix. Returns false otherwise.
-bool invert(const Mat3& m, Mat3& to) {
-    const double a = m.x.x, b = m.x.y, c = m.x.z, d = m.y.y, e = m.y.z, f = m.z.z;
-    const double m0 = d * f - e * e, m1 = c * e - b * f, m2 = b * e - c * d;
-    const double determinant = a * m0 + b * m1 + c * m2;
-    if (!(a > 0 && a * d - b * b > 0 && determinant > 0)) return false;
-    const double s = 1 / determinant;
-    const double xy = m1 * s, xz = m2 * s, yz = (b * c - a * e) * s;
-    to = {{m0 * s, xy, xz}, {xy, (a * f - c * c) * s, yz}, {xz, yz, (a * d - b * b) * s}};
-    return true;
+SymmetricMat3 upper_triangle(const Mat3& m) {
+    return {m.x.x, m.x.y, m.x.z, m.y.y, m.y.z, m.z.z};
 }
 
 // The response of a body that rotates about one of its axes, or about none.
@@ -254,8 +246,11 @@ void DirectGroup::correct(double h, bool again) {
                 continue;
             }
             // Under compression the matrix may be indefinite. The stiffness is then omitted.
-            if (!invert(body.inertia * 2 + body.stiffness * (0.5 * h), body.response))
-                body.response = body.inverse_inertia * 0.5;
+            SymmetricMat3 response;
+            body.response =
+                invert(upper_triangle(body.inertia * 2 + body.stiffness * (0.5 * h)), response)
+                    ? to_mat3(response)
+                    : body.inverse_inertia * 0.5;
         }
         assemble(0.5, &DirectBody::response);
         factored_ = false;

@@ -32,10 +32,16 @@ snapshot::QuantizedFrame quantized(std::uint32_t tick,
 
 }  // namespace
 
+Result<scenes::SceneDescription> find_scene_or_suggest(const std::string& name) {
+    auto scene = scenes::find_scene(name);
+    if (!scene) return unknown_scene(name);
+    return *std::move(scene);
+}
+
 Result<CapturedScene> capture_scene(const std::string& name, double seconds,
                                     const snapshot::QuantSpec& spec) {
-    const auto scene = scenes::find_scene(name);
-    if (!scene) return unknown_scene(name);
+    const auto scene = find_scene_or_suggest(name);
+    if (!scene.ok()) return scene.error();
     auto built = scenes::build_scene(*scene);
     if (!built) return Error{built.error().code, name + ": " + built.error().message};
     CapturedScene recorded{.frames = {}, .hz = scene->hz};

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "jostle/base/result.h"
+#include "jostle/scenes/scene.h"
 #include "jostle/snapshot/entity_state.h"
 
 namespace jostle::bench {
@@ -17,6 +18,9 @@ struct CapturedScene {
     double hz = 60;
     double quantize_ns_per_body = 0;
 };
+
+// A scene of the catalogue. Errors: not_found with the list of scenes.
+Result<scenes::SceneDescription> find_scene_or_suggest(const std::string& name);
 
 // Errors: not_found with the list of scenes, or the error that stopped the world.
 Result<CapturedScene> capture_scene(const std::string& name, double seconds,

@@ -84,6 +84,13 @@ constexpr CatalogItem catalog_items[] = {
       "901 cubes: a large one rolls by itself and attracts the small ones; a benchmark of snapshot "
       "codecs."},
      katamari},
+    {{"asteroids",
+      "250 asteroids around a planetoid: the rules of a public benchmark of network transforms."},
+     asteroids},
+    {{"asteroids_1000", "The scene asteroids with 1000 bodies in a sphere of 50 m."},
+     asteroids_1000},
+    {{"asteroids_10000", "The scene asteroids with 10,000 bodies in a sphere of 108 m."},
+     asteroids_10000},
     // The scenes that jostle-bench measures, by letter.
     {{"bench_pyramid_465",
       "A flat pyramid of 30 rows of 1 m boxes with gaps of 5 cm (benchmark a)."},

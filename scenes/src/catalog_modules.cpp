@@ -16,6 +16,7 @@
 #include "jostle/modules/rope.h"
 #include "jostle/modules/vehicle.h"
 #include "jostle/scenes/catalog.h"
+#include "scenes/src/asteroids.h"
 #include "scenes/src/katamari.h"
 
 namespace jostle::scenes {
@@ -33,6 +34,7 @@ void register_catalog_modules() {
     static std::once_flag once;
     std::call_once(once, [] {
         register_once<examples::Hovercraft>("hovercraft");
+        register_once<Asteroids>("asteroids");
         register_once<modules::Boats>("boat");
         register_once<modules::Characters>("character");
         register_once<modules::Cloths>("cloth");

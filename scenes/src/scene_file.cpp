@@ -87,6 +87,16 @@ private:
             out.world.tolerance = number("world.tolerance", m.tolerance(), 1e-9, 1e3);
         out.world.substep_budget = m.substep_budget();
         out.world.step_budget = m.step_budget();
+        if (m.has_precision()) {
+            const v1::Precision& precision = m.precision();
+            out.precision.position =
+                number("world.precision.position", precision.position(), 1e-4, 1);
+            out.precision.rotation =
+                number("world.precision.rotation", precision.rotation(), 2e-4, 0.5);
+            if (precision.far_factor() != 0)
+                out.precision.far_factor =
+                    number("world.precision.far_factor", precision.far_factor(), 1, 1000);
+        }
         if (const auto solver = read_solver(*this, "world.joint_solver", m.joint_solver()))
             out.world.joint_solver = *solver;
     }
@@ -322,6 +332,12 @@ v1::Scene to_message(const SceneDescription& scene) {
     out.mutable_world()->set_substeps(static_cast<std::uint32_t>(scene.world.substeps));
     out.mutable_world()->set_hz(scene.hz);
     out.mutable_world()->set_sleeping(scene.world.sleeping);
+    if (scene.precision.position != 0) {
+        v1::Precision& precision = *out.mutable_world()->mutable_precision();
+        precision.set_position(scene.precision.position);
+        precision.set_rotation(scene.precision.rotation);
+        precision.set_far_factor(scene.precision.far_factor);
+    }
     for (const SceneBody& body : scene.bodies) write_body(*out.add_bodies(), body);
     for (const SceneJoint& joint : scene.joints) write_joint(*out.add_joints(), scene, joint);
     for (const SceneModule& module : scene.modules) write_module(*out.add_modules(), scene, module);

@@ -10,6 +10,7 @@
 #include <poll.h>
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <csignal>
@@ -20,8 +21,10 @@
 #include <optional>
 #include <string_view>
 #include <system_error>
+#include <utility>
 
 #include "grpc/health/v1/health.grpc.pb.h"
+#include "server/forwarding/trusted_proxies.h"
 #include "server/util/clock.h"
 #include "server/util/free_with.h"
 
@@ -173,6 +176,17 @@ Result<HealthTarget> health_target(const Config& config) {
     if (!grpc.ok()) return grpc.error();
     const Result<HostPort> http = reachable("http", config.http);
     if (!http.ok()) return http.error();
+    const auto proxies = TrustedProxies::create(config.trusted_proxies, {});
+    if (!proxies.ok()) return proxies.error();
+    for (const auto& [port, address] : {std::pair("grpc", *grpc), std::pair("http", *http)})
+        if (std::ranges::find(config.proxy_protocol, port) != config.proxy_protocol.end() &&
+            proxies->contains(address.host))
+            return Error{
+                ErrorCode::failed_precondition,
+                fmt::format("proxy_protocol: connections from {} to the {} port must begin "
+                            "with a PROXY header, which this probe does not send; query "
+                            "/healthz of the admin port instead",
+                            address.host, port)};
     HealthTarget target{.grpc = *grpc, .http = *http};
     if (config.tls.certificate.empty()) return target;
     std::ifstream file(config.tls.certificate, std::ios::binary);

@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cerrno>
 #include <cstring>
+#include <string_view>
 #include <utility>
 
 #include "server/config/exposure.h"
@@ -29,6 +30,10 @@ ConnectionTableLimits connection_limits(const ConnectionLimits& configured) {
     return {.total_max = std::min(static_cast<std::size_t>(configured.total_max),
                                   static_cast<std::size_t>(available / per_connection)),
             .per_address_max = static_cast<std::size_t>(configured.per_address_max)};
+}
+
+bool uses_proxy_protocol(const Config& config, std::string_view port) {
+    return std::ranges::find(config.proxy_protocol, port) != config.proxy_protocol.end();
 }
 
 }  // namespace
@@ -62,12 +67,14 @@ WorldHostSettings world_settings(const Config& config, Metrics& metrics,
 }
 
 GrpcSettings grpc_settings(const Config& config, Metrics& metrics,
-                           const CertificateStore* certificates) {
+                           const CertificateStore* certificates, const TrustedProxies* proxies) {
     const HostPort address = *parse_host_port(config.listen);
     return {.host = address.host,
             .port = address.port,
             .network_threads = config.network_threads,
             .certificates = certificates,
+            .proxies = proxies,
+            .proxy_protocol = uses_proxy_protocol(config, "grpc"),
             .message_bytes_max = config.scene.request_bytes_max,
             .connections = connection_limits(config.connection),
             .relay = {.buffered_bytes_max = config.connection.buffered_bytes_max,
@@ -78,12 +85,15 @@ GrpcSettings grpc_settings(const Config& config, Metrics& metrics,
 }
 
 HttpServerSettings http_settings(const Config& config, Metrics& metrics,
-                                 const CertificateStore* certificates) {
+                                 const CertificateStore* certificates,
+                                 const TrustedProxies* proxies) {
     const HostPort address = *parse_host_port(config.http);
     return {.host = address.host,
             .port = address.port,
             .metrics = &metrics.listener(Listener::http),
             .certificates = certificates,
+            .proxies = proxies,
+            .proxy_protocol = uses_proxy_protocol(config, "http"),
             .per_address_max = static_cast<std::size_t>(config.connection.per_address_max),
             .body_bytes_max = static_cast<std::size_t>(config.scene.request_bytes_max),
             // Of all connections together: one scene of the maximum size and many small requests.

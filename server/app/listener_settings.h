@@ -9,6 +9,7 @@
 #include <string>
 
 #include "server/config/config.h"
+#include "server/forwarding/trusted_proxies.h"
 #include "server/grpc/grpc_server.h"
 #include "server/http/http_server.h"
 #include "server/metrics/metrics.h"
@@ -23,9 +24,10 @@ WorldHostSettings world_settings(const Config& config, Metrics& metrics,
                                  std::function<void(bool has_events)> on_frame);
 // `certificates` null: no TLS.
 GrpcSettings grpc_settings(const Config& config, Metrics& metrics,
-                           const CertificateStore* certificates);
+                           const CertificateStore* certificates, const TrustedProxies* proxies);
 HttpServerSettings http_settings(const Config& config, Metrics& metrics,
-                                 const CertificateStore* certificates);
+                                 const CertificateStore* certificates,
+                                 const TrustedProxies* proxies);
 // The admin listener serves few small requests. On addresses other than loopback it requires a
 // client certificate if the configuration sets tls.client_ca.
 HttpServerSettings admin_settings(const Config& config, Metrics& metrics,

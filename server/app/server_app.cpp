@@ -19,11 +19,12 @@
 #include "server/app/shutdown.h"
 #include "server/app/start_guard.h"
 #include "server/app/start_worlds.h"
-#include "server/grpc/call_method.h"
 #include "server/grpc/grpc_server.h"
+#include "server/grpc_web/grpc_web_routes.h"
 #include "server/http/admin_routes.h"
 #include "server/http/http_routes.h"
 #include "server/http/http_server.h"
+#include "server/services/call_method.h"
 #include "server/services/query_control.h"
 #include "server/services/world_control.h"
 #include "server/util/log.h"
@@ -116,6 +117,7 @@ private:
     Status start_worlds();
     Status start_listeners();
     void create_services();
+    std::vector<CallMethod> player_methods();
     void announce();
 
     std::optional<std::string> not_ready_reason() const;
@@ -138,12 +140,14 @@ private:
     std::unique_ptr<WorldDirectory> worlds_;
     std::unique_ptr<Authorizer> authorizer_;
     std::unique_ptr<CertificateStore> certificates_;  // null: no TLS
+    TrustedProxies proxies_;
     std::optional<DatagramServer> datagrams_;
     std::unique_ptr<PlayContext> context_;
     std::unique_ptr<TickWatchdog> watchdog_;
     std::optional<WorldControl> world_control_;
     std::optional<QueryControl> query_control_;
     std::optional<AdminControl> admin_control_;
+    std::optional<GrpcWebRoutes> grpc_web_routes_;
     std::optional<HttpRoutes> http_routes_;
     std::optional<AdminRoutes> admin_routes_;
     std::optional<GrpcServer> grpc_;
@@ -194,6 +198,12 @@ Status ServerApp::Impl::open_security() {
     auto authorizer = Authorizer::open(config_);
     if (!authorizer.ok()) return authorizer.error();
     authorizer_ = *std::move(authorizer);
+    auto proxies =
+        TrustedProxies::create(config_.trusted_proxies, config_.forwarded_header == "forwarded"
+                                                            ? ForwardedHeader::forwarded
+                                                            : ForwardedHeader::x_forwarded_for);
+    if (!proxies.ok()) return proxies.error();
+    proxies_ = *std::move(proxies);
     if (config_.tls.certificate.empty()) return {};
     auto certificates = CertificateStore::open(config_.tls, std::chrono::system_clock::now());
     if (!certificates.ok()) return certificates.error();
@@ -230,12 +240,14 @@ void ServerApp::Impl::create_services() {
     world_control_.emplace(*context_);
     query_control_.emplace(*context_);
     admin_control_.emplace(*context_);
+    grpc_web_routes_.emplace(player_methods(), *authorizer_, &rpc_metrics_);
     http_routes_.emplace(*world_control_, *query_control_,
                          RouteSettings{.web_root = find_web_root(config_.web_root),
                                        .allowed_origins = config_.allowed_origins,
                                        .allowed_hosts = config_.allowed_hosts,
                                        .not_ready_reason = not_ready,
-                                       .failure_reason = failure});
+                                       .failure_reason = failure,
+                                       .grpc_web = &*grpc_web_routes_});
     admin_routes_.emplace(*admin_control_, metrics_,
                           AdminRouteSettings{.allowed_hosts = config_.allowed_hosts,
                                              .not_ready_reason = not_ready,
@@ -243,16 +255,23 @@ void ServerApp::Impl::create_services() {
                                              .refresh = [this] { refresh_metrics(); }});
 }
 
-Status ServerApp::Impl::start_listeners() {
+// The methods of WorldService and QueryService.
+std::vector<CallMethod> ServerApp::Impl::player_methods() {
     std::vector<CallMethod> methods = world_methods(
         *world_control_, *worlds_, static_cast<std::size_t>(config_.scene.request_bytes_max));
     std::ranges::move(query_methods(*query_control_, *worlds_), std::back_inserter(methods));
+    return methods;
+}
+
+Status ServerApp::Impl::start_listeners() {
+    std::vector<CallMethod> methods = player_methods();
     std::ranges::move(admin_methods(*admin_control_, *worlds_), std::back_inserter(methods));
     ASSERT(world_control_ && query_control_ && admin_control_ && http_routes_);
     grpc_.emplace(
         *context_, std::move(methods), [this] { return is_alive(); },
-        grpc_settings(config_, metrics_, certificates_.get()));
-    http_.emplace(*context_, *http_routes_, http_settings(config_, metrics_, certificates_.get()));
+        grpc_settings(config_, metrics_, certificates_.get(), &proxies_));
+    http_.emplace(*context_, *http_routes_,
+                  http_settings(config_, metrics_, certificates_.get(), &proxies_));
     if (Status s = grpc_->start(); !s.ok()) return s;
     probed_grpc_ = &*grpc_;
     if (Status s = http_->start(); !s.ok()) return s;

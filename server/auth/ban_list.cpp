@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include "server/auth/ban_list.h"
 
-#include <arpa/inet.h>
 #include <fcntl.h>
 #include <spdlog/fmt/fmt.h>
 #include <unistd.h>
 
 #include <algorithm>
 #include <cerrno>
-#include <charconv>
 #include <cstdio>
 #include <cstring>
 #include <set>
@@ -30,47 +28,6 @@ using std::chrono::seconds;
 constexpr std::size_t bans_bytes_max = 16u << 20;
 constexpr std::size_t bans_depth_max = 4;
 constexpr int bans_version = 1;
-constexpr int ipv4_bits = 32, ipv6_bits = 128, ipv6_customer_bits = 64;
-
-int bits_of(const Network& network) {
-    return network.is_ipv6 ? ipv6_bits : ipv4_bits;
-}
-
-// The network of the first `prefix` bits.
-Network masked(Network network, int prefix) {
-    network.prefix = prefix;
-    for (int bit = prefix; bit < ipv6_bits; bit++)
-        network.address[static_cast<std::size_t>(bit / 8)] &=
-            static_cast<std::uint8_t>(~(0x80u >> (bit % 8)));
-    return network;
-}
-
-// A single address, with its full prefix.
-std::optional<Network> parse_address(const std::string& text) {
-    Network network;
-    if (inet_pton(AF_INET, text.c_str(), network.address.data()) == 1) {
-        network.prefix = ipv4_bits;
-        return network;
-    }
-    in6_addr six{};
-    if (inet_pton(AF_INET6, text.c_str(), &six) != 1) return std::nullopt;
-    if (IN6_IS_ADDR_V4MAPPED(&six)) {
-        std::memcpy(network.address.data(), six.s6_addr + 12, 4);
-        network.prefix = ipv4_bits;
-        return network;
-    }
-    std::memcpy(network.address.data(), six.s6_addr, 16);
-    network.is_ipv6 = true;
-    network.prefix = ipv6_bits;
-    return network;
-}
-
-Error bad_network(std::string_view text, const std::string& why) {
-    return invalid_argument(fmt::format(
-        "{} is not a network: {}; write an address such as 192.0.2.7 or 2001:db8::1, or a prefix "
-        "such as 192.0.2.0/24 or 2001:db8::/48",
-        quoted(text), why));
-}
 
 Status check_text(const char* what, const std::string& text, std::size_t bytes_max) {
     if (text.size() > bytes_max)
@@ -172,40 +129,6 @@ Status write_file(const std::string& path, const std::string& text) {
 }
 
 }  // namespace
-
-Result<Network> parse_network(std::string_view text) {
-    const std::size_t slash = text.find('/');
-    const std::string address(text.substr(0, slash));
-    const std::optional<Network> parsed = parse_address(address);
-    if (!parsed) return bad_network(text, "the address is invalid");
-    const bool is_mapped = !parsed->is_ipv6 && address.find(':') != std::string::npos;
-    if (slash == std::string_view::npos)
-        return masked(*parsed, parsed->is_ipv6 ? ipv6_customer_bits : ipv4_bits);
-    const std::string_view digits = text.substr(slash + 1);
-    int prefix = -1;
-    const auto [end, error] = std::from_chars(digits.data(), digits.data() + digits.size(), prefix);
-    const int high = is_mapped ? ipv6_bits : bits_of(*parsed),
-              low = is_mapped ? ipv6_bits - ipv4_bits : 0;
-    if (error != std::errc{} || end != digits.data() + digits.size() || digits.empty() ||
-        prefix < low || prefix > high)
-        return bad_network(text,
-                           fmt::format("the prefix is not a number from {} to {}", low, high));
-    const Network network = masked(*parsed, prefix - low);
-    if (network.address != parsed->address)
-        return bad_network(text, fmt::format("the address has bits beyond the prefix; the network "
-                                             "is {}",
-                                             text_of(network)));
-    return network;
-}
-
-std::string text_of(const Network& network) {
-    char text[INET6_ADDRSTRLEN] = {};
-    const char* done =
-        inet_ntop(network.is_ipv6 ? AF_INET6 : AF_INET, network.address.data(), text, sizeof text);
-    ASSERT(done);
-    if (!network.is_ipv6 && network.prefix == ipv4_bits) return text;
-    return fmt::format("{}/{}", done ? text : "unknown", network.prefix);
-}
 
 std::string text_of(const BanTarget& target) {
     return target.network ? "network " + text_of(*target.network) : "subject " + target.subject;
@@ -336,8 +259,7 @@ std::vector<Ban> BanList::list(WallTime now) const {
 std::optional<Ban> BanList::find(std::string_view subject, std::string_view address,
                                  WallTime now) const {
     if (is_empty_) return std::nullopt;
-    const std::optional<Network> caller =
-        parse_address(std::string(address.substr(0, address.find('%'))));
+    const std::optional<Network> caller = parse_address(address.substr(0, address.find('%')));
     const std::lock_guard lock(mutex_);
     const auto in_force = [&](const BanTarget& target) -> std::optional<Ban> {
         const auto at = bans_.find(target);

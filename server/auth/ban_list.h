@@ -6,7 +6,6 @@
 // Any thread; changes wait for the disk.
 #pragma once
 
-#include <array>
 #include <atomic>
 #include <cstdint>
 #include <map>
@@ -19,25 +18,10 @@
 #include <vector>
 
 #include "jostle/base/result.h"
+#include "server/util/network.h"
 #include "server/util/wall_time.h"
 
 namespace jostle::server {
-
-// Addresses that share a prefix. IPv4 and IPv6 are separate; IPv4 mapped into IPv6 is IPv4.
-struct Network {
-    bool is_ipv6 = false;
-    std::array<std::uint8_t, 16> address{};  // IPv4: the first 4 bytes; zero beyond the prefix
-    int prefix = 0;                          // bits
-
-    auto operator<=>(const Network&) const = default;
-};
-
-// "192.0.2.7", "192.0.2.0/24", "2001:db8::/48", "::ffff:192.0.2.7". An IPv6 address without a
-// prefix is its /64, which one customer of a provider controls. An address with bits beyond its
-// prefix is an error.
-Result<Network> parse_network(std::string_view text);
-// "192.0.2.7", "192.0.2.0/24", "2001:db8::/48".
-std::string text_of(const Network& network);
 
 // The target of a ban: either a subject or a network.
 struct BanTarget {

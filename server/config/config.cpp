@@ -6,6 +6,8 @@
 #include <charconv>
 
 #include "jostle/base/network_conditions.h"
+#include "server/config/origin.h"
+#include "server/util/network.h"
 
 namespace jostle::server {
 
@@ -27,6 +29,28 @@ struct Range {
     double value, low, high;
 };
 
+Status check_proxies(const Config& c) {
+    for (const std::string& origin : c.allowed_origins)
+        if (!parse_origin(origin))
+            return invalid_argument("allowed_origins: \"" + origin +
+                                    "\" is not an origin; write scheme and host without a path, "
+                                    "such as https://play.example.org");
+    for (const std::string& text : c.trusted_proxies)
+        if (const auto network = parse_exact_network(text); !network.ok())
+            return invalid_argument("trusted_proxies: " + network.error().message);
+    if (c.forwarded_header != "x-forwarded-for" && c.forwarded_header != "forwarded")
+        return invalid_argument("forwarded_header is \"" + c.forwarded_header +
+                                "\"; it must be x-forwarded-for or forwarded");
+    for (const std::string& port : c.proxy_protocol)
+        if (port != "grpc" && port != "http")
+            return invalid_argument("proxy_protocol: \"" + port +
+                                    "\" is not a port; the list may contain grpc and http");
+    if (!c.proxy_protocol.empty() && c.trusted_proxies.empty())
+        return invalid_argument(
+            "proxy_protocol is set without trusted_proxies; list the addresses of the proxies");
+    return {};
+}
+
 // Settings that depend on each other, and settings with a fixed list of values.
 Status check_access(const Config& c) {
     if (c.tls.certificate.empty() != c.tls.key.empty())
@@ -46,6 +70,21 @@ Status check_access(const Config& c) {
             return invalid_argument(
                 "allowed_hosts: \"" + host +
                 "\" is not a host name; write only the name, such as play.example.org");
+    return {};
+}
+
+// Either both are 0, or none is; the ranges of jostle/snapshot/precision.h.
+Status check_precision(const StreamSettings& s) {
+    if (s.position_precision_m == 0 && s.rotation_precision_rad == 0) return {};
+    if (s.position_precision_m < 1e-4)
+        return invalid_argument("stream.position_precision_m is " + text(s.position_precision_m) +
+                                "; it must be 0 together with stream.rotation_precision_rad, or "
+                                "from 0.0001 to 1");
+    if (s.rotation_precision_rad < 2e-4)
+        return invalid_argument("stream.rotation_precision_rad is " +
+                                text(s.rotation_precision_rad) +
+                                "; it must be 0 together with stream.position_precision_m, or "
+                                "from 0.0002 to 0.5");
     return {};
 }
 
@@ -95,9 +134,12 @@ Status check(const Config& c) {
         {"tick.physics_threads", c.tick.physics_threads, 1, 64},
         {"tick.step_seconds_max", c.tick.step_seconds_max, 0.05, 3600},
         {"tick.lag_compensation_ms_max", c.tick.lag_compensation_ms_max, 0, 2000},
-        {"stream.ack_window_max", c.stream.ack_window_max, 2, 1000},
+        {"stream.ack_window_max_ms", c.stream.ack_window_max_ms, 200, 60000},
         {"stream.ack_interval_ms", c.stream.ack_interval_ms, 1, 1000},
         {"stream.interest_cell_m", c.stream.interest_cell_m, 1, 100000},
+        {"stream.position_precision_m", c.stream.position_precision_m, 0, 1},
+        {"stream.rotation_precision_rad", c.stream.rotation_precision_rad, 0, 0.5},
+        {"stream.far_precision_factor", c.stream.far_precision_factor, 1, 1000},
         {"stream.heartbeats_per_second", c.stream.heartbeats_per_second, 0.5, 1000},
         {"stream.hello_timeout_seconds", c.stream.hello_timeout_seconds, 0.1, 3600},
         {"stream.client_timeout_seconds", c.stream.client_timeout_seconds, 0.5, 86400},
@@ -122,6 +164,7 @@ Status check(const Config& c) {
         if (!(r.low <= r.value && r.value <= r.high))
             return invalid_argument(std::string(r.key) + " is " + text(r.value) +
                                     "; it must be from " + text(r.low) + " to " + text(r.high));
+    if (Status s = check_precision(c.stream); !s.ok()) return s;
     for (const auto& [key, address] : {std::pair("listen", c.listen), std::pair("http", c.http)})
         if (const auto parsed = parse_host_port(address); !parsed.ok())
             return invalid_argument(std::string(key) + ": " + parsed.error().message);
@@ -146,6 +189,7 @@ Status check(const Config& c) {
     if (const auto conditions = parse_network_conditions(c.development.network_conditions);
         !conditions.ok())
         return invalid_argument("development.network_conditions: " + conditions.error().message);
+    if (Status s = check_proxies(c); !s.ok()) return s;
     return check_access(c);
 }
 

@@ -86,7 +86,8 @@ struct TickSettings {
 };
 
 struct StreamSettings {
-    int ack_window_max = 30;           // messages in flight to a client
+    // The longest time for which snapshots may be unacknowledged, on any path.
+    int ack_window_max_ms = 3000;
     int ack_interval_ms = 100;         // interval of the client's acknowledgements
     double hello_timeout_seconds = 5;  // a stream without a Hello is closed after this time
     // a client that sends nothing for this long is disconnected
@@ -94,6 +95,10 @@ struct StreamSettings {
     double stats_per_second = 2;
     int codec = 2;                // of snapshots: the highest codec that the server offers
     double interest_cell_m = 32;  // cell edge of the interest grid
+    // Greatest error of decoded poses in worlds and for clients that do not set their own; both 0:
+    // the nearest units of 2 mm and 0.2 degrees.
+    double position_precision_m = 0, rotation_precision_rad = 0;
+    double far_precision_factor = 1;  // coarser beyond half of the radius of interest
     // Snapshots per second to a client while nothing moves in its world.
     double heartbeats_per_second = 4;
 };
@@ -193,6 +198,13 @@ struct Config {
     std::vector<std::string> allowed_origins;  // additional origins whose pages may use this server
     // own host names, in addition to IP addresses and localhost
     std::vector<std::string> allowed_hosts;
+    // Addresses and networks of the proxies in front of this server, whose statements about their
+    // clients are believed (server/forwarding/trusted_proxies.h).
+    std::vector<std::string> trusted_proxies;
+    // header of a trusted proxy with the client's address: x-forwarded-for, forwarded
+    std::string forwarded_header = "x-forwarded-for";
+    // ports on which connections of trusted proxies begin with a PROXY v2 header: grpc, http
+    std::vector<std::string> proxy_protocol;
     std::string log_level = "info";   // trace, debug, info, warn, error
     std::string log_format = "text";  // text, json
     // Host name that clients connect to, for a server that listens on all addresses; empty: the

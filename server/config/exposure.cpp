@@ -35,6 +35,14 @@ bool is_loopback(const std::string& host) {
 Status check_exposure(const Config& config) {
     if (config.insecure) return {};
     const std::string where = reachable(config);
+    if (where.empty() && !config.trusted_proxies.empty() && config.auth.keys.empty() &&
+        config.auth.anonymous_role.empty())
+        return Error{ErrorCode::failed_precondition,
+                     "trusted_proxies is set, so other machines can reach this server, without "
+                     "auth.keys, auth.issuer and auth.audience; set them "
+                     "(docs/guides/operator/secure.md), set auth.anonymous_role to the role of "
+                     "clients without a token, or set insecure = true if the proxy authenticates "
+                     "them"};
     if (where.empty()) return {};
     std::string missing;
     if (config.tls.certificate.empty()) missing = "tls.certificate and tls.key";
@@ -52,7 +60,7 @@ Status check_exposure(const Config& config) {
 std::string anonymous_role(const Config& config) {
     if (!config.auth.anonymous_role.empty()) return config.auth.anonymous_role;
     if (!config.auth.keys.empty()) return "none";
-    return reachable(config).empty() ? "admin" : "director";
+    return reachable(config).empty() && config.trusted_proxies.empty() ? "admin" : "director";
 }
 
 }  // namespace jostle::server

@@ -162,12 +162,23 @@ std::string_view header_of(const grpc::ServerContext& call, const char* name) {
 
 }  // namespace
 
+std::string client_address(const grpc::ServerContext& call, const Connection& connection,
+                           const ConnectionTable& connections) {
+    if (!connection.is_proxy) return connection.address;
+    const std::string_view name = connections.forwarded_header();
+    const auto [first, last] = call.client_metadata().equal_range({name.data(), name.size()});
+    std::string forwarded;
+    for (auto at = first; at != last; ++at)
+        forwarded.append(forwarded.empty() ? "" : ",").append(at->second.data(), at->second.size());
+    return connections.client_address(connection, forwarded);
+}
+
 Result<Identity> identify(const grpc::ServerContext& call, const Connection& connection,
-                          Authorizer& authorizer) {
+                          const std::string& address, Authorizer& authorizer) {
     const Result<std::string_view> bearer = parse_bearer(header_of(call, "authorization"));
     if (!bearer.ok()) return bearer.error();
     return authorizer.identify(
-        {.bearer = *bearer, .certificate = connection.certificate, .address = connection.address});
+        {.bearer = *bearer, .certificate = connection.certificate, .address = address});
 }
 
 namespace {

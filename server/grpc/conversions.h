@@ -19,10 +19,15 @@ namespace jostle::server {
 // one-word reason.
 grpc::Status to_rich_status(const Status& status);
 
+// The address of the client of a call: that of the connection, or the one that a trusted proxy
+// names in the metadata.
+std::string client_address(const grpc::ServerContext& call, const Connection& connection,
+                           const ConnectionTable& connections);
+
 // The identity of the caller of a gRPC call: a token in the metadata, or the certificate of the
 // connection.
 Result<Identity> identify(const grpc::ServerContext& call, const Connection& connection,
-                          Authorizer& authorizer);
+                          const std::string& address, Authorizer& authorizer);
 
 // Converts messages to gRPC buffers and back without copying shared bytes: a shared piece becomes a
 // slice that holds a reference until the transport has sent it.

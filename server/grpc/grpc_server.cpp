@@ -11,8 +11,8 @@
 
 #include "grpc/health/v1/health.grpc.pb.h"
 #include "jostle/base/check.h"
-#include "server/grpc/call_method.h"
 #include "server/grpc/library_setup.h"
+#include "server/grpc/server_methods.h"
 
 namespace jostle::server {
 
@@ -74,9 +74,10 @@ GrpcServer::GrpcServer(PlayContext& context, std::vector<CallMethod> methods,
       settings_(std::move(settings)),
       dispatcher_(all_methods(std::move(methods), std::move(is_healthy)), context.authorizer, {},
                   context.rpc_metrics),
-      table_(settings_.connections),
+      table_(settings_.connections, settings_.proxies),
       relay_(table_, settings_.relay, settings_.metrics),
-      acceptor_(table_, settings_.certificates, settings_.tcp_user_timeout, settings_.metrics) {}
+      acceptor_(table_, settings_.certificates, settings_.tcp_user_timeout, settings_.metrics,
+                settings_.proxy_protocol) {}
 
 GrpcServer::~GrpcServer() {
     stop();

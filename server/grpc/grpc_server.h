@@ -32,6 +32,8 @@ struct GrpcSettings {
     std::uint16_t port = 50051;  // 0: any free port
     int network_threads = 1;
     const CertificateStore* certificates = nullptr;  // null: no TLS; outlives the server
+    const TrustedProxies* proxies = nullptr;         // null: none; outlive the server
+    bool proxy_protocol = false;      // connections of trusted proxies begin with a PROXY header
     int message_bytes_max = 4 << 20;  // of a request; each method may have a smaller limit
     ConnectionTableLimits connections = {};
     RelayLimits relay = {};

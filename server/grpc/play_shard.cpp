@@ -114,12 +114,12 @@ void PlayShard::run() {
             } else if (!stopping_) {
                 // before processing: a frame that arrives meanwhile wakes the thread again
                 awake_ = false;
-                advance_all(now);
+                advance_all();
             }
         }
         if (dispatcher_) dispatcher_->housekeep(now);
         if (now >= housekeeping_ && !stopping_) {
-            housekeep(now);
+            housekeep();
             housekeeping_ = now + (streams_.empty() ? Clock::duration(idle_shard_period)
                                                     : Clock::duration(shard_housekeeping_period));
         }
@@ -154,7 +154,7 @@ void PlayShard::handle(PlayTag& tag, bool ok, Clock::time_point now) {
             if (!ok) return;  // the server is shutting down
             request_call();
             owned->begin(
-                context_, connections_, [this] { wake_for_datagrams(); }, now);
+                context_, connections_, overload_, [this] { wake_for_datagrams(); }, now);
             if (streams_.size() >= streams_max() || too_many_without_hello_from(owned->network()))
                 owned->session().refuse(Error{ErrorCode::resource_exhausted, "too many streams"},
                                         now);
@@ -175,19 +175,19 @@ void PlayShard::handle(PlayTag& tag, bool ok, Clock::time_point now) {
     }
 }
 
-void PlayShard::housekeep(Clock::time_point now) {
-    advance_all(now);
+void PlayShard::housekeep() {
+    advance_all();
     drop_finished();
 }
 
 // Each round starts with the next client: with many clients the last one waits longest, and it
-// should not always be the same one.
-void PlayShard::advance_all(Clock::time_point now) {
+// should not always be the same one. A round takes a while, so each client has its own time.
+void PlayShard::advance_all() {
     const std::size_t count = streams_.size();
     if (count == 0) return;
     first_ = (first_ + 1) % count;
     ASSERT(first_ < count);
-    for (std::size_t i = 0; i < count; ++i) streams_[(first_ + i) % count]->advance(now);
+    for (std::size_t i = 0; i < count; ++i) streams_[(first_ + i) % count]->advance(Clock::now());
 }
 
 void PlayShard::advance_with_datagrams(Clock::time_point now) {

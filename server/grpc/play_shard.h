@@ -21,6 +21,7 @@
 #include "server/grpc/play_stream.h"
 #include "server/grpc/unary_dispatcher.h"
 #include "server/grpc_proxy/connection_table.h"
+#include "server/limits/overload_control.h"
 
 namespace jostle::server {
 
@@ -51,9 +52,9 @@ private:
     void run();
     void dispatch(RpcTag& tag, bool ok, Clock::time_point now);
     void handle(PlayTag& tag, bool ok, Clock::time_point now);
-    void advance_all(Clock::time_point now);
+    void advance_all();
     void advance_with_datagrams(Clock::time_point now);
-    void housekeep(Clock::time_point now);
+    void housekeep();
     void drop_finished();
     void request_call();
     std::size_t streams_max() const;
@@ -64,6 +65,7 @@ private:
     const ConnectionTable& connections_;
     std::unique_ptr<grpc::ServerCompletionQueue> queue_;
     UnaryDispatcher* dispatcher_ = nullptr;
+    OverloadControl overload_;                          // outlives the streams
     std::vector<std::unique_ptr<PlayStream>> waiting_;  // requested from gRPC, without a client yet
     std::vector<std::unique_ptr<PlayStream>> streams_;
     std::size_t first_ = 0;  // the stream that starts the next round

@@ -30,21 +30,26 @@ PlayStream::~PlayStream() {
 }
 
 void PlayStream::begin(PlayContext& context, const ConnectionTable& connections,
-                       std::function<void()> wake, Clock::time_point now) {
+                       OverloadControl& overload, std::function<void()> wake,
+                       Clock::time_point now) {
     ASSERT(!session_);
     connection_ = connections.of(context_.peer());
     ASSERT(connection_);
-    network_ = network_of(connection_->address);
+    const std::string address = client_address(context_, *connection_, connections);
+    network_ = network_of(address);
     connection_->calls_accepted++;
     connection_->calls++;
     metrics_ = context.rpc_metrics;
     session_ = std::make_unique<ClientSession>(
         context,
-        Peer{.name = "grpc:" + connection_->peer,
-             .address = connection_->address,
+        Peer{.name =
+                 "grpc:" + (address == connection_->address ? std::string() : address + " via ") +
+                 connection_->peer,
+             .address = address,
              .call = "jostle.v1.PlayService/Play",
-             .who = identify(context_, *connection_, context.authorizer),
-             .wake = std::move(wake)},
+             .who = identify(context_, *connection_, address, context.authorizer),
+             .wake = std::move(wake),
+             .overload = &overload},
         now);
     start_read();
 }

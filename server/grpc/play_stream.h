@@ -45,10 +45,10 @@ public:
     PlayStream(const PlayStream&) = delete;
     PlayStream& operator=(const PlayStream&) = delete;
 
-    // Starts the session of a connected client. `wake`: called on any thread when the session has
-    // datagrams.
-    void begin(PlayContext& context, const ConnectionTable& connections, std::function<void()> wake,
-               Clock::time_point now);
+    // Starts the session of a connected client. `overload`: of the thread; outlives the stream.
+    // `wake`: called on any thread when the session has datagrams.
+    void begin(PlayContext& context, const ConnectionTable& connections, OverloadControl& overload,
+               std::function<void()> wake, Clock::time_point now);
     void on_read(bool ok, Clock::time_point now);
     void on_wrote(bool ok, Clock::time_point now);
     void on_finished();

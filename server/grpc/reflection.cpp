@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-#include "server/grpc/call_method.h"
+#include "server/grpc/server_methods.h"
 
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/descriptor.pb.h>

@@ -45,6 +45,7 @@ struct UnaryDispatcher::Call {
         done{this, Tag::Event::done};
     const CallMethod* method = nullptr;
     std::shared_ptr<Connection> connection;
+    std::string address;  // of the client
     std::string request;
     Clock::time_point since{};  // time of arrival
     Identity who;
@@ -154,7 +155,7 @@ void UnaryDispatcher::forget(Call& call) {
 Status UnaryDispatcher::admit(Call& call) const {
     if (open_ > limits_.calls_max && !call.method->is_probe)
         return too_much("too many calls are open");
-    if (call.connection->unary_calls > limits_.calls_per_peer_max)
+    if (!call.connection->is_proxy && call.connection->unary_calls > limits_.calls_per_peer_max)
         return too_much("too many calls are open on this connection");
     if (call.method->stays_open() && open_streams_ > limits_.open_streams_max)
         return too_much("too many streams of this kind are open");
@@ -164,7 +165,7 @@ Status UnaryDispatcher::admit(Call& call) const {
 // Identifies the caller and authorizes the call. A call about a world is authorized later, when the
 // world is known.
 Status UnaryDispatcher::authorize(Call& call) const {
-    Result<Identity> who = identify(call.context, *call.connection, authorizer_);
+    Result<Identity> who = identify(call.context, *call.connection, call.address, authorizer_);
     if (!who.ok()) return who.error();
     call.who = *std::move(who);
     if (call.method->authorizes_world) return {};
@@ -176,7 +177,7 @@ CallContext UnaryDispatcher::context_of(const Call& call) const {
     return {.authorizer = authorizer_,
             .call = std::string_view(call.method->path).substr(1),
             .who = call.who,
-            .address = call.connection->address,
+            .address = call.address,
             .deadline = call.context.deadline(),
             .is_cancelled = [&call] { return call.is_cancelled.load(); }};
 }
@@ -186,6 +187,7 @@ void UnaryDispatcher::begin(Call& call) {
     call.begun = true;
     call.since = Clock::now();
     call.connection = connections_->of(call.context.peer());
+    call.address = client_address(call.context, *call.connection, *connections_);
     call.connection->calls_accepted++;
     call.connection->calls++;
     call.connection->unary_calls++;

@@ -17,10 +17,10 @@
 #include <string>
 #include <vector>
 
-#include "server/grpc/call_method.h"
 #include "server/grpc/rpc_tag.h"
 #include "server/grpc_proxy/connection_table.h"
 #include "server/metrics/rpc_metrics.h"
+#include "server/services/call_method.h"
 #include "server/util/clock.h"
 #include "server/util/work_pool.h"
 

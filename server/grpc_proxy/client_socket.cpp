@@ -5,6 +5,7 @@
 #include <sys/socket.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
 #include <csignal>
 #include <new>
@@ -108,6 +109,15 @@ ClientSocket::IoResult ClientSocket::write(std::span<const std::uint8_t> bytes) 
     const ssize_t count = ::send(descriptor_, bytes.data(), bytes.size(), MSG_NOSIGNAL);
     if (count < 0) return {state_of_errno(State::wants_write), 0};
     return {State::open, static_cast<std::size_t>(count)};
+}
+
+void ClientSocket::reply_unencrypted(std::string_view message) {
+    std::array<char, 4096> received;
+    for (int i = 0; i < 16 && ::recv(descriptor_, received.data(), received.size(), 0) > 0; i++) {
+    }
+    // A full buffer of a new connection is impossible; a lost hint would be harmless.
+    static_cast<void>(::send(descriptor_, message.data(), message.size(), MSG_NOSIGNAL));
+    ::shutdown(descriptor_, SHUT_WR);
 }
 
 void ClientSocket::finish() {

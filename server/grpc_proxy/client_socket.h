@@ -10,6 +10,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <string_view>
 
 #include "server/util/free_with.h"
 
@@ -35,6 +36,7 @@ public:
     ClientSocket& operator=(const ClientSocket&) = delete;
 
     int descriptor() const { return descriptor_; }
+    bool has_tls() const { return tls_ != nullptr; }
 
     // Repeat until the result is `open`; without TLS it is `open` at once.
     State handshake();
@@ -47,6 +49,10 @@ public:
     IoResult read(std::span<std::uint8_t> buffer);
     // The caller passes unwritten bytes again, at the start of the next call.
     IoResult write(std::span<const std::uint8_t> bytes);
+    // Sends a last message that does not wait, without TLS, and closes the sending direction. Call
+    // before the handshake. Received bytes are discarded, so that closing the socket does not
+    // discard the message at the client.
+    void reply_unencrypted(std::string_view message);
     // Closes the sending direction.
     void finish();
 

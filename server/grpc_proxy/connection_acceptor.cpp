@@ -8,14 +8,17 @@
 #include <sys/resource.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <cerrno>
 #include <cstring>
 #include <utility>
 
 #include "jostle/base/check.h"
+#include "server/util/address.h"
 #include "server/util/log.h"
 #include "server/util/socket.h"
+#include "server/util/wrong_protocol.h"
 
 namespace jostle::server {
 
@@ -28,6 +31,13 @@ constexpr int backlog = 1024;
 constexpr auto log_period = std::chrono::seconds(5);
 // If no descriptor is available, an immediate retry would only spin.
 constexpr auto accept_pause = std::chrono::milliseconds(100);
+
+ConnectionRefusal reason_of(ConnectionTable::Refusal refusal) {
+    using enum ConnectionTable::Refusal;
+    return refusal == full           ? ConnectionRefusal::limit
+           : refusal == address_full ? ConnectionRefusal::address_limit
+                                     : ConnectionRefusal::penalty;
+}
 
 }  // namespace
 
@@ -101,7 +111,7 @@ void ConnectionAcceptor::run() {
                 if (descriptor == listener_)
                     accept_all(now);
                 else if (descriptor != wake_)
-                    continue_handshake(descriptor);
+                    continue_handshake(descriptor, now);
             } catch (const std::exception& error) {
                 // Out of memory: this connection is rejected.
                 log_error("gRPC: a connection failed: {}", error.what());
@@ -149,37 +159,90 @@ void ConnectionAcceptor::accept_one(int descriptor, const sockaddr_storage& peer
     const auto tls = tls_.current();
     auto socket = std::make_unique<ClientSocket>(descriptor, tls ? tls->native_handle() : nullptr);
     const std::shared_ptr<Connection> connection = table_.admit(peer);
-    if (!tls) return hand_off(std::move(socket), connection);
+    const bool has_proxy_header = proxy_protocol_ && table_.is_proxy(peer);
+    if (!tls && !has_proxy_header) return hand_off(std::move(socket), connection);
     ASSERT(!pending_handshakes_.contains(descriptor));
-    pending_handshakes_[descriptor] = {std::move(socket), connection, now + handshake_max};
+    PendingHandshake& pending =
+        pending_handshakes_[descriptor] = {std::move(socket), connection, now + handshake_max};
+    if (has_proxy_header) pending.proxy_header.emplace();
     set_epoll_events(descriptor, EPOLLIN, EPOLL_CTL_ADD);
 }
 
 void ConnectionAcceptor::count(ConnectionTable::Refusal refusal) {
     refused_++;
-    if (!metrics_) return;
-    using enum ConnectionTable::Refusal;
-    metrics_
-        ->refused(refusal == full           ? ConnectionRefusal::limit
-                  : refusal == address_full ? ConnectionRefusal::address_limit
-                                            : ConnectionRefusal::penalty)
-        .Increment();
+    if (metrics_) metrics_->refused(reason_of(refusal)).Increment();
 }
 
-void ConnectionAcceptor::continue_handshake(int descriptor) {
+// A step of a pending handshake: the PROXY header, then TLS.
+void ConnectionAcceptor::continue_handshake(int descriptor, Clock::time_point now) {
     const auto at = pending_handshakes_.find(descriptor);
     if (at == pending_handshakes_.end()) return;
-    const ClientSocket::State state = at->second.socket->handshake();
-    if (state == ClientSocket::State::wants_read || state == ClientSocket::State::wants_write)
-        return set_epoll_events(descriptor,
-                                state == ClientSocket::State::wants_read ? EPOLLIN : EPOLLOUT,
-                                EPOLL_CTL_MOD);
+    Progress progress = Progress::done;
+    if (at->second.proxy_header) progress = read_proxy_header(at->second, now);
+    if (progress == Progress::done) progress = continue_tls(at->second);
+    if (progress == Progress::waits) return;
     set_epoll_events(descriptor, 0, EPOLL_CTL_DEL);
     PendingHandshake pending = std::move(at->second);
     pending_handshakes_.erase(at);
-    if (state != ClientSocket::State::open) return reject(pending, pending.socket->failure());
-    pending.connection->certificate = pending.socket->certificate();
-    hand_off(std::move(pending.socket), pending.connection);
+    if (progress == Progress::done) hand_off(std::move(pending.socket), pending.connection);
+}
+
+// Reads no byte behind the header: TLS reads from the socket itself.
+ConnectionAcceptor::Progress ConnectionAcceptor::read_proxy_header(PendingHandshake& pending,
+                                                                   Clock::time_point now) {
+    ProxyHeaderReader& header = *pending.proxy_header;
+    std::array<std::uint8_t, 512> buffer;
+    while (header.wanted() > 0) {
+        const ssize_t count = ::recv(pending.socket->descriptor(), buffer.data(),
+                                     std::min(buffer.size(), header.wanted()), 0);
+        if (count < 0 && (errno == EAGAIN || errno == EINTR)) return Progress::waits;
+        const Status taken =
+            count > 0 ? header.take({buffer.data(), static_cast<std::size_t>(count)})
+                      : Status(invalid_argument("the connection was closed in the PROXY header"));
+        if (taken.ok()) continue;
+        reject(pending, ConnectionRefusal::proxy_header, taken.error().message);
+        return Progress::failed;
+    }
+    if (const auto client = header.client())
+        if (const auto refusal = table_.set_client(*pending.connection, *client, now)) {
+            refused_++;
+            reject(pending, reason_of(*refusal),
+                   "its client " + peer_name(*client) + " is refused");
+            return Progress::failed;
+        }
+    pending.proxy_header.reset();
+    return Progress::done;
+}
+
+ConnectionAcceptor::Progress ConnectionAcceptor::continue_tls(PendingHandshake& pending) {
+    ClientSocket& socket = *pending.socket;
+    if (socket.has_tls() && !pending.has_first_bytes) {
+        std::array<std::uint8_t, 16> first;
+        const ssize_t count = ::recv(socket.descriptor(), first.data(), first.size(), MSG_PEEK);
+        if (count < 0 && (errno == EAGAIN || errno == EINTR)) return Progress::waits;
+        pending.has_first_bytes = true;
+        const auto protocol =
+            protocol_of({first.data(), static_cast<std::size_t>(std::max<ssize_t>(count, 0))});
+        if (protocol == FirstBytes::http1 || protocol == FirstBytes::http2) {
+            socket.reply_unencrypted(wrong_protocol_reply(
+                protocol, "this gRPC port requires TLS: use https:// or TLS credentials"));
+            reject(pending, ConnectionRefusal::handshake, "the client does not use TLS");
+            return Progress::failed;
+        }
+    }
+    const ClientSocket::State state = socket.handshake();
+    if (state == ClientSocket::State::wants_read || state == ClientSocket::State::wants_write) {
+        set_epoll_events(socket.descriptor(),
+                         state == ClientSocket::State::wants_read ? EPOLLIN : EPOLLOUT,
+                         EPOLL_CTL_MOD);
+        return Progress::waits;
+    }
+    if (state != ClientSocket::State::open) {
+        reject(pending, ConnectionRefusal::handshake, "TLS handshake failed: " + socket.failure());
+        return Progress::failed;
+    }
+    pending.connection->certificate = socket.certificate();
+    return Progress::done;
 }
 
 void ConnectionAcceptor::hand_off(std::unique_ptr<ClientSocket> socket,
@@ -193,9 +256,14 @@ void ConnectionAcceptor::hand_off(std::unique_ptr<ClientSocket> socket,
     }
 }
 
-void ConnectionAcceptor::reject(PendingHandshake& pending, const std::string& refusal) {
-    log_debug("{}: TLS handshake failed: {}", pending.connection->peer, refusal);
-    if (metrics_) metrics_->refused(ConnectionRefusal::handshake).Increment();
+void ConnectionAcceptor::reject(PendingHandshake& pending, ConnectionRefusal refusal,
+                                const std::string& why) {
+    // A wrong header is a mistake of the operator, not of a stranger.
+    if (refusal == ConnectionRefusal::proxy_header)
+        log_warn("{}: connection closed: {}", pending.connection->peer, why);
+    else
+        log_debug("{}: connection closed: {}", pending.connection->peer, why);
+    if (metrics_) metrics_->refused(refusal).Increment();
     table_.remove(*pending.connection);
 }
 
@@ -205,7 +273,10 @@ void ConnectionAcceptor::drop_timed_out(Clock::time_point now) {
             ++at;
             continue;
         }
-        reject(at->second, "timed out");
+        reject(at->second,
+               at->second.proxy_header ? ConnectionRefusal::proxy_header
+                                       : ConnectionRefusal::handshake,
+               "the handshake timed out");
         at = pending_handshakes_.erase(at);
     }
 }

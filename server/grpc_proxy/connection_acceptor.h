@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Accepts the connections of the gRPC port and performs TLS handshakes. It replaces the listener of
-// gRPC, which has no connection limit and stops accepting when descriptors run out. Its thread has
-// a lower priority than the threads that move bytes, so that connection floods do not slow
-// connected clients.
+// Accepts the connections of the gRPC port, reads PROXY headers and performs TLS handshakes. It
+// replaces the listener of gRPC, which has no connection limit and stops accepting when descriptors
+// run out. Its thread has a lower priority than the threads that move bytes, so that connection
+// floods do not slow connected clients.
 #pragma once
 
 #include <atomic>
@@ -11,10 +11,12 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <thread>
 
 #include "jostle/base/result.h"
+#include "server/forwarding/proxy_protocol.h"
 #include "server/grpc_proxy/client_socket.h"
 #include "server/grpc_proxy/connection_table.h"
 #include "server/metrics/metrics.h"
@@ -29,11 +31,14 @@ public:
 
     // All arguments must outlive the acceptor. Null certificates: no TLS; null metrics: no
     // counting. `tcp_user_timeout`: a peer that acknowledges nothing for this long is disconnected.
+    // `proxy_protocol`: connections of trusted proxies begin with a PROXY header.
     ConnectionAcceptor(ConnectionTable& table, const CertificateStore* certificates,
-                       Clock::duration tcp_user_timeout, const ListenerMetrics* metrics)
+                       Clock::duration tcp_user_timeout, const ListenerMetrics* metrics,
+                       bool proxy_protocol = false)
         : table_(table),
           tls_(certificates, {.only_http2 = true}),
           tcp_user_timeout_(tcp_user_timeout),
+          proxy_protocol_(proxy_protocol),
           metrics_(metrics) {}
     ~ConnectionAcceptor();
 
@@ -49,28 +54,35 @@ public:
     bool is_listening(Clock::time_point now) const;
 
 private:
-    // A connection whose TLS handshake is not complete.
+    // A connection whose PROXY header or TLS handshake is not complete.
     struct PendingHandshake {
         std::unique_ptr<ClientSocket> socket;
         std::shared_ptr<Connection> connection;
         Clock::time_point deadline;
+        std::optional<ProxyHeaderReader> proxy_header = {};  // until it is complete
+        bool has_first_bytes = false;                        // of TLS
     };
+    // What remains to be done after a step of a handshake.
+    enum class Progress { waits, done, failed };
 
     void run();
     void set_epoll_events(int descriptor, std::uint32_t events, int how) const;
     void accept_all(Clock::time_point now);
     void accept_one(int descriptor, const sockaddr_storage& peer, Clock::time_point now);
     void count(ConnectionTable::Refusal why);
-    void continue_handshake(int descriptor);
+    void continue_handshake(int descriptor, Clock::time_point now);
+    Progress read_proxy_header(PendingHandshake& pending, Clock::time_point now);
+    Progress continue_tls(PendingHandshake& pending);
     void hand_off(std::unique_ptr<ClientSocket> socket,
                   const std::shared_ptr<Connection>& connection);
-    void reject(PendingHandshake& pending, const std::string& why);
+    void reject(PendingHandshake& pending, ConnectionRefusal refusal, const std::string& why);
     void drop_timed_out(Clock::time_point now);
     void log_refusals(Clock::time_point now);
 
     ConnectionTable& table_;
     TlsContexts tls_;
     const Clock::duration tcp_user_timeout_;
+    const bool proxy_protocol_;
     const ListenerMetrics* const metrics_;
     Handler handler_;
     int listener_ = -1, epoll_ = -1;

@@ -13,16 +13,23 @@
 #include <cstddef>
 #include <cstring>
 #include <exception>
+#include <string_view>
 #include <utility>
 
 #include "jostle/base/check.h"
 #include "server/grpc_proxy/http2_frame_guard.h"
 #include "server/util/log.h"
+#include "server/util/wrong_protocol.h"
 
 namespace jostle::server {
 
 namespace {
 
+constexpr std::string_view wrong_port =
+    "this is the gRPC port, which requires HTTP/2; the viewer and the HTTP API have another port "
+    "(setting http)";
+// A trusted proxy sends the frames of as many clients as gRPC allows streams per connection.
+constexpr double clients_of_proxy = 100;
 constexpr auto sweep_period = std::chrono::milliseconds(20);
 // A tick makes gRPC write to all its clients within one or two milliseconds. Waking up for each
 // write would take 25 % more of the server's time; this delay batches many writes.
@@ -66,7 +73,7 @@ struct ConnectionRelay::Stream {
            Clock::time_point now)
         : client(std::move(socket)),
           connection(std::move(shared_connection)),
-          guard(now),
+          guard(now, connection->is_proxy ? clients_of_proxy : 1),
           measured(now) {}
 
     std::unique_ptr<ClientSocket> client;
@@ -268,6 +275,8 @@ void ConnectionRelay::read_client(Stream& stream, Clock::time_point now) {
         if (stream.guard.has_preface()) return drop(stream, allowed.error().message, now);
         // A browser, or TLS on a plain port: a mistake rather than an attack.
         log_debug("{}: {}", stream.connection->peer, allowed.error().message);
+        if (!stream.client->has_tls())
+            stream.client->reply_unencrypted(wrong_protocol_reply(protocol_of(bytes), wrong_port));
         return close(stream);
     }
     const std::uint64_t opened = stream.guard.streams_opened();

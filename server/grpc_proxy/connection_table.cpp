@@ -22,6 +22,17 @@ std::optional<ConnectionTable::Refusal> ConnectionTable::refusal_for(const socka
                                                                      Clock::time_point now) const {
     const std::lock_guard lock(mutex_);
     if (connections_.size() >= limits_.total_max) return Refusal::full;
+    return address_refusal(peer, now);
+}
+
+bool ConnectionTable::is_proxy(const sockaddr_storage& peer) const {
+    return proxies_ && proxies_->contains(address_name(peer));
+}
+
+// Call with the lock.
+std::optional<ConnectionTable::Refusal> ConnectionTable::address_refusal(
+    const sockaddr_storage& peer, Clock::time_point now) const {
+    if (is_proxy(peer)) return std::nullopt;
     const std::string network = network_of(peer);
     if (const auto known = of_network_.find(network);
         known != of_network_.end() && known->second >= limits_.per_address_max)
@@ -34,27 +45,61 @@ std::optional<ConnectionTable::Refusal> ConnectionTable::refusal_for(const socka
 
 std::shared_ptr<Connection> ConnectionTable::admit(const sockaddr_storage& peer) {
     const auto connection = std::make_shared<Connection>();
-    connection->peer = peer_name(peer);
-    connection->address = address_name(peer);
-    connection->network = network_of(peer);
+    set_address(*connection, peer);
     const std::lock_guard lock(mutex_);
     connection->name =
         "jostle-" + std::to_string(::getpid()) + "-" + std::to_string(++last_number_);
     connections_.emplace(connection->grpc_name(), connection);
-    of_network_[connection->network]++;
+    count_address(*connection, 1);
     return connection;
+}
+
+void ConnectionTable::set_address(Connection& connection, const sockaddr_storage& peer) {
+    connection.peer = peer_name(peer);
+    connection.address = address_name(peer);
+    connection.network = network_of(peer);
+    connection.is_proxy = is_proxy(peer);
+}
+
+// Call with the lock.
+void ConnectionTable::count_address(const Connection& connection, int change) {
+    if (connection.is_proxy) return;
+    std::size_t& count = of_network_[connection.network];
+    ASSERT(change > 0 || count > 0);
+    count = change > 0 ? count + 1 : count - 1;
+    if (count == 0) of_network_.erase(connection.network);
+}
+
+std::optional<ConnectionTable::Refusal> ConnectionTable::set_client(Connection& connection,
+                                                                    const sockaddr_storage& client,
+                                                                    Clock::time_point now) {
+    const std::lock_guard lock(mutex_);
+    if (const auto refusal = address_refusal(client, now)) return refusal;
+    count_address(connection, -1);
+    set_address(connection, client);
+    count_address(connection, 1);
+    return std::nullopt;
+}
+
+std::string ConnectionTable::client_address(const Connection& connection,
+                                            std::string_view forwarded) const {
+    return connection.is_proxy ? proxies_->client_address(connection.address, forwarded)
+                               : connection.address;
+}
+
+std::string_view ConnectionTable::forwarded_header() const {
+    return proxies_ ? proxies_->header_name() : std::string_view{};
 }
 
 void ConnectionTable::remove(const Connection& connection) {
     const std::lock_guard lock(mutex_);
-    const auto count = of_network_.find(connection.network);
-    ASSERT(count != of_network_.end() && count->second > 0);
-    if (--count->second == 0) of_network_.erase(count);
+    count_address(connection, -1);
     connections_.erase(connection.grpc_name());
     ASSERT(of_network_.size() <= connections_.size());
 }
 
 void ConnectionTable::penalize(const Connection& connection, Clock::time_point now) {
+    if (connection.is_proxy) return;  // others would pay for the attack of one client
     const std::lock_guard lock(mutex_);
     if (penalties_.size() >= penalties_max) forget_penalties(now);
     Penalty& penalty = penalties_[connection.network];

@@ -15,6 +15,7 @@
 #include <string>
 #include <string_view>
 
+#include "server/forwarding/trusted_proxies.h"
 #include "server/util/clock.h"
 
 namespace jostle::server {
@@ -26,6 +27,9 @@ struct Connection {
     std::string address;      // "192.0.2.7"
     std::string network;      // network_of(address)
     std::string certificate;  // subject verified by TLS; empty: none
+    // The address is that of a trusted proxy: the calls belong to several clients, which only their
+    // headers name.
+    bool is_proxy = false;
 
     // Written by the thread that handles calls.
     std::atomic<std::uint64_t> consumed{0};        // bytes of received messages
@@ -45,13 +49,27 @@ class ConnectionTable {
 public:
     enum class Refusal { full, address_full, address_penalized };
 
-    explicit ConnectionTable(ConnectionTableLimits limits) : limits_(limits) {}
+    // `proxies` outlive the table; null: none. Their connections are not limited per address and
+    // not penalized.
+    explicit ConnectionTable(ConnectionTableLimits limits, const TrustedProxies* proxies = nullptr)
+        : limits_(limits), proxies_(proxies) {}
+
+    bool is_proxy(const sockaddr_storage& peer) const;
 
     // The reason to refuse a new connection; empty: accept it.
     std::optional<Refusal> refusal_for(const sockaddr_storage& peer, Clock::time_point now) const;
     // Counts the connection until remove().
     std::shared_ptr<Connection> admit(const sockaddr_storage& peer);
     void remove(const Connection& connection);
+    // Replaces the address of a connection that was not handed off yet: its proxy named the client.
+    // Returns the reason to refuse the client; then nothing changes.
+    std::optional<Refusal> set_client(Connection& connection, const sockaddr_storage& client,
+                                      Clock::time_point now);
+
+    // The address of the client of a call. `forwarded`: the value of the header named by
+    // forwarded_header(), which counts only in connections of trusted proxies.
+    std::string client_address(const Connection& connection, std::string_view forwarded) const;
+    std::string_view forwarded_header() const;
 
     // Penalizes an attack: the address gets no new connection for 1 s; each repetition doubles the
     // time, up to 60 s.
@@ -69,8 +87,13 @@ private:
     };
 
     void forget_penalties(Clock::time_point now);
+    std::optional<Refusal> address_refusal(const sockaddr_storage& peer,
+                                           Clock::time_point now) const;
+    void set_address(Connection& connection, const sockaddr_storage& peer);
+    void count_address(const Connection& connection, int change);
 
     const ConnectionTableLimits limits_;
+    const TrustedProxies* const proxies_;
     mutable std::mutex mutex_;
     std::uint64_t last_number_ = 0;
     // by gRPC's peer name

@@ -29,13 +29,13 @@ constexpr double unusual_per_second = 10, unusual_burst = 100;
 
 }  // namespace
 
-Http2FrameGuard::Http2FrameGuard(Clock::time_point now)
-    : work_(work_per_second, work_burst, now),
-      resets_(resets_per_second, resets_burst, now),
-      settings_(settings_per_second, settings_burst, now),
-      pings_(pings_per_second, pings_burst, now),
-      empty_(empty_per_second, empty_burst, now),
-      unusual_(unusual_per_second, unusual_burst, now) {}
+Http2FrameGuard::Http2FrameGuard(Clock::time_point now, double clients)
+    : work_(clients * work_per_second, clients * work_burst, now),
+      resets_(clients * resets_per_second, clients * resets_burst, now),
+      settings_(clients * settings_per_second, clients * settings_burst, now),
+      pings_(clients * pings_per_second, clients * pings_burst, now),
+      empty_(clients * empty_per_second, clients * empty_burst, now),
+      unusual_(clients * unusual_per_second, clients * unusual_burst, now) {}
 
 Status Http2FrameGuard::take(std::span<const std::uint8_t> bytes, Clock::time_point now) {
     work_.spend(static_cast<double>(bytes.size()) * work_of_byte, now);

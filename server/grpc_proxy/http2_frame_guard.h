@@ -22,7 +22,8 @@ namespace jostle::server {
 
 class Http2FrameGuard {
 public:
-    explicit Http2FrameGuard(Clock::time_point now);
+    // `clients`: the number of clients whose frames share the connection; its rates grow with it.
+    explicit Http2FrameGuard(Clock::time_point now, double clients = 1);
 
     // Inspects the next bytes of the connection, split anywhere. An error names the forbidden
     // frame; the caller must close the connection without passing these bytes to gRPC.

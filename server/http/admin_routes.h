@@ -36,6 +36,7 @@ public:
     bool accepts_large_body(const HttpRequest&) const override { return false; }
     bool accepts_players(const HttpRequest&) const override { return false; }
     std::optional<std::string> cross_origin_refusal(const HttpRequest& request) const override;
+    HttpHeaders cors_headers(std::string_view, std::string_view) const override { return {}; }
 
 private:
     HttpResponse health(std::string_view path) const;

@@ -4,6 +4,7 @@
 #include <arpa/inet.h>
 
 #include <algorithm>
+#include <boost/beast/core/string.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
 #include <iterator>
 #include <string>
@@ -68,6 +69,10 @@ std::string_view view(boost::beast::string_view text) {
     return {text.data(), text.size()};
 }
 
+boost::beast::string_view beast_view(std::string_view text) {
+    return {text.data(), text.size()};
+}
+
 // How long the body is must be beyond doubt: a proxy and this server that disagree would take part
 // of a body for another request.
 std::optional<std::string_view> framing_fault(const BeastRequest& request) {
@@ -90,6 +95,34 @@ std::optional<std::string_view> framing_fault(const BeastRequest& request) {
 
 }  // namespace
 
+std::optional<RequestTarget> parse_target(std::string_view method, std::string_view target) {
+    if (target.starts_with('/')) return RequestTarget{std::string(target), {}};
+    const bool is_about_server = method == "OPTIONS";
+    if (target == "*")
+        return is_about_server ? std::optional(RequestTarget{"*", {}}) : std::nullopt;
+    for (const std::string_view scheme : {"http://", "https://"}) {
+        if (!boost::beast::iequals(beast_view(target.substr(0, scheme.size())), beast_view(scheme)))
+            continue;
+        const std::string_view rest = target.substr(scheme.size());
+        const std::size_t end = std::min(rest.find_first_of("/?#"), rest.size());
+        const std::string_view authority = rest.substr(0, end);
+        if (!is_host(authority)) return std::nullopt;
+        std::string path(rest.substr(end));
+        if (path.empty() && is_about_server) path = "*";
+        if (!path.starts_with('/') && path != "*") path.insert(path.begin(), '/');
+        return RequestTarget{std::move(path), std::string(authority)};
+    }
+    return std::nullopt;
+}
+
+std::string joined_header(const BeastRequest& request, std::string_view name) {
+    std::string joined;
+    const auto [first, last] = request.equal_range(beast_view(name));
+    for (auto at = first; at != last; ++at)
+        joined.append(joined.empty() ? "" : ",").append(at->value().data(), at->value().size());
+    return joined;
+}
+
 bool has_folded_header(std::string_view bytes) {
     bytes = bytes.substr(0, bytes.find("\r\n\r\n"));
     return bytes.find("\r\n ") != std::string_view::npos ||
@@ -99,9 +132,8 @@ bool has_folded_header(std::string_view bytes) {
 std::optional<std::string_view> request_fault(const BeastRequest& request) {
     if (request.version() != 10 && request.version() != 11)
         return "Only HTTP/1.0 and HTTP/1.1 are supported.";
-    const std::string_view target = view(request.target());
-    if (!target.starts_with('/') && target != "*")
-        return "The target of the request must be a path.";
+    if (!parse_target(view(request.method_string()), view(request.target())))
+        return "The target of the request must be a path, or an http or https URI.";
     for (const auto& entry : request)
         if (has_control_character(entry.value())) return "A header has a control character.";
     const std::size_t hosts = count_of(request, field::host);

@@ -10,6 +10,7 @@
 #include <cstddef>
 #include <cstdint>
 #include <optional>
+#include <string>
 #include <string_view>
 
 #include "server/http/http_message.h"
@@ -40,17 +41,35 @@ std::optional<std::string_view> request_fault(const BeastRequest& request);
 // received bytes of a header, complete or not.
 bool has_folded_header(std::string_view bytes);
 
+// The forms of a request target (RFC 9112, 3.2): a path, an http or https URI, or "*" in OPTIONS.
+struct RequestTarget {
+    std::string path;       // with the query
+    std::string authority;  // of a URI; else empty
+};
+// Nothing: the target has another form, or its authority is not HOST or HOST:PORT.
+std::optional<RequestTarget> parse_target(std::string_view method, std::string_view target);
+
+// All values of a header, joined with commas.
+std::string joined_header(const BeastRequest& request, std::string_view name);
+
+// Requires a request without fault. The authority of a URI replaces the Host header (RFC 9112,
+// 3.2.2).
 inline HttpRequest to_http_request(const BeastRequest& request) {
     using boost::beast::http::field;
     const auto header = [&](field name) { return std::string(request[name]); };
-    return {.method = std::string(request.method_string()),
-            .target = std::string(request.target()),
-            .host = header(field::host),
+    const std::string method(request.method_string());
+    const RequestTarget target =
+        parse_target(method, std::string(request.target())).value_or(RequestTarget{});
+    return {.method = method,
+            .target = target.path,
+            .host = target.authority.empty() ? header(field::host) : target.authority,
             .origin = header(field::origin),
             .content_type = header(field::content_type),
             .if_none_match = header(field::if_none_match),
             .accept_encoding = header(field::accept_encoding),
             .authorization = header(field::authorization),
+            .grpc_timeout = std::string(request["grpc-timeout"]),
+            .requested_method = header(field::access_control_request_method),
             .body = request.body()};
 }
 

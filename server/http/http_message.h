@@ -15,22 +15,28 @@ namespace jostle::server {
 
 struct HttpRequest {
     std::string method;  // "GET", "POST", ...
-    std::string target;  // as sent: path and query, not decoded
-    std::string host;    // the Host header
+    // Path and query as sent, not decoded; "*" in OPTIONS requests about the server. The scheme and
+    // authority of an absolute URI are removed.
+    std::string target;
+    std::string host;    // the Host header, or the authority of an absolute URI
     std::string origin;  // the Origin header; empty if the request is not from a browser page
     std::string content_type;
     std::string if_none_match;
     std::string accept_encoding;
     std::string authorization;
-    std::string address;      // of the client, without the port
-    std::string certificate;  // subject of a client certificate verified by TLS; empty: none
+    std::string grpc_timeout;      // of gRPC-Web: "5S", "100m"
+    std::string requested_method;  // Access-Control-Request-Method: this is a preflight request
+    std::string address;           // of the client, without the port
+    std::string certificate;       // subject of a client certificate verified by TLS; empty: none
     std::string body;
 };
+
+using HttpHeaders = std::vector<std::pair<std::string, std::string>>;
 
 struct HttpResponse {
     int status = 200;
     std::string content_type = "text/plain; charset=utf-8";
-    std::vector<std::pair<std::string, std::string>> headers;
+    HttpHeaders headers;
     std::string body;
 };
 
@@ -75,6 +81,9 @@ public:
     // Why a browser page may not send this request; empty: it is allowed, or not from a browser
     // page.
     virtual std::optional<std::string> cross_origin_refusal(const HttpRequest& request) const = 0;
+    // Headers of every response to a page of this origin (CORS), also of errors; `origin` may be
+    // empty.
+    virtual HttpHeaders cors_headers(std::string_view origin, std::string_view host) const = 0;
 };
 
 }  // namespace jostle::server

@@ -78,11 +78,14 @@ HttpResponse method_not_allowed(std::string allowed) {
     return response;
 }
 
-// Converts "http://host:port" to "host:port".
-std::string_view host_of_origin(std::string_view origin) {
-    const std::size_t at = origin.find("://");
-    return at == std::string_view::npos ? std::string_view{} : origin.substr(at + 3);
-}
+constexpr std::string_view cross_origin_refused =
+    "Pages from another origin may not use this server.";
+// Headers that pages of another origin may send, and those that they may read.
+constexpr const char* sendable_headers =
+    "authorization, content-type, grpc-timeout, if-none-match, x-grpc-web, x-user-agent";
+constexpr const char* readable_headers = "etag, retry-after, www-authenticate";
+constexpr const char* supported_methods = "GET, HEAD, POST, DELETE, OPTIONS";
+constexpr const char* preflight_max_age_seconds = "600";
 
 // HTML forms can send text from any page without a preflight request, but not JSON.
 std::optional<HttpResponse> wrong_content_type(const HttpRequest& request) {
@@ -135,10 +138,19 @@ HttpRoutes::HttpRoutes(WorldControl& worlds, const QueryControl& queries, RouteS
     : worlds_(worlds),
       queries_(queries),
       settings_(std::move(settings)),
-      files_(settings_.web_root) {}
+      files_(settings_.web_root) {
+    for (const std::string& text : settings_.allowed_origins)
+        if (auto origin = parse_origin(text)) allowed_origins_.push_back(*std::move(origin));
+}
+
+bool HttpRoutes::is_grpc_web(const HttpRequest& request) const {
+    return settings_.grpc_web && request.target.starts_with("/jostle.v1.");
+}
 
 HttpWork HttpRoutes::work_of(const HttpRequest& request) const {
     const std::string_view path = path_of(request.target);
+    if (request.method == "OPTIONS") return HttpWork::immediate;
+    if (is_grpc_web(request)) return settings_.grpc_web->work_of(request);
     if (path.starts_with(query_path)) return HttpWork::query;
     const bool reads = request.method == "GET" || request.method == "HEAD";
     return reads || !path.starts_with("/api/") ? HttpWork::immediate : HttpWork::mutation;
@@ -150,21 +162,56 @@ bool HttpRoutes::accepts_players(const HttpRequest& request) const {
 
 bool HttpRoutes::accepts_large_body(const HttpRequest& request) const {
     const std::string_view path = path_of(request.target);
+    if (is_grpc_web(request)) return settings_.grpc_web->accepts_large_body(request);
     return request.method == "POST" && (path == worlds_path || path.starts_with(query_path));
 }
 
-bool HttpRoutes::origin_is_allowed(const HttpRequest& request) const {
-    if (request.origin.empty()) return true;
-    if (!request.host.empty() && host_of_origin(request.origin) == request.host) return true;
-    return std::ranges::find(settings_.allowed_origins, request.origin) !=
-           settings_.allowed_origins.end();
+// The scheme of this server is unknown behind a proxy with TLS; a Host without a port is taken to
+// be at the default port of the page's scheme.
+bool HttpRoutes::origin_is_allowed(std::string_view origin, std::string_view host) const {
+    if (origin.empty()) return true;
+    const std::optional<Origin> page = parse_origin(origin);
+    if (!page) return false;
+    if (!host.empty() && parse_origin(page->scheme + "://" + std::string(host)) == page)
+        return true;
+    return std::ranges::find(allowed_origins_, *page) != allowed_origins_.end();
+}
+
+HttpHeaders HttpRoutes::cors_headers(std::string_view origin, std::string_view host) const {
+    HttpHeaders headers;
+    // Caches must not give the response for one origin to another.
+    if (!allowed_origins_.empty()) headers.emplace_back("Vary", "Origin");
+    if (origin.empty() || !origin_is_allowed(origin, host)) return headers;
+    headers.emplace_back("Access-Control-Allow-Origin", std::string(origin));
+    headers.emplace_back("Access-Control-Expose-Headers", readable_headers);
+    return headers;
+}
+
+// A preflight request asks whether a page may send another request. No cookies are involved, so
+// credentials are never allowed.
+HttpResponse HttpRoutes::handle_options(const HttpRequest& request) const {
+    if (!origin_is_allowed(request.origin, request.host))
+        return plain_text(403, std::string(cross_origin_refused) + "\n");
+    HttpResponse response{.status = 204};
+    response.headers.emplace_back("Allow", supported_methods);
+    if (request.origin.empty() || request.requested_method.empty()) return response;
+    response.headers.emplace_back("Access-Control-Allow-Methods", supported_methods);
+    response.headers.emplace_back("Access-Control-Allow-Headers", sendable_headers);
+    response.headers.emplace_back("Access-Control-Max-Age", preflight_max_age_seconds);
+    return response;
+}
+
+HttpResponse HttpRoutes::handle_grpc_web(const HttpRequest& request) const {
+    if (!origin_is_allowed(request.origin, request.host))
+        return plain_text(403, std::string(cross_origin_refused) + "\n");
+    return settings_.grpc_web->handle(request);
 }
 
 std::optional<std::string> HttpRoutes::cross_origin_refusal(const HttpRequest& request) const {
     if (!host_is_allowed(request.host, settings_.allowed_hosts))
         return "The Host header does not name this server; the setting allowed_hosts lists its "
                "names.";
-    if (!origin_is_allowed(request)) return "Pages from another origin may not use this server.";
+    if (!origin_is_allowed(request.origin, request.host)) return std::string(cross_origin_refused);
     return std::nullopt;
 }
 
@@ -178,6 +225,8 @@ HttpResponse HttpRoutes::handle(const HttpRequest& request) const {
     if (path == "/healthz" || path == "/readyz") return handle_health(path);
     if (!host_is_allowed(request.host, settings_.allowed_hosts))
         return plain_text(403, *cross_origin_refusal(request) + "\n");
+    if (request.method == "OPTIONS") return handle_options(request);
+    if (is_grpc_web(request)) return handle_grpc_web(request);
     if (path == "/api" || path.starts_with("/api/")) return handle_api(request, path);
     if (path == "/play") {
         HttpResponse response = plain_text(426, "This path supports WebSocket clients only.\n");
@@ -217,8 +266,8 @@ Status HttpRoutes::authorize_world(const RequestContext& context, const std::str
 
 HttpResponse HttpRoutes::handle_api(const HttpRequest& request, std::string_view path) const {
     const bool changes = request.method != "GET" && request.method != "HEAD";
-    if (changes && !origin_is_allowed(request))
-        return plain_text(403, "Pages from another origin may not use this server.\n");
+    if (changes && !origin_is_allowed(request.origin, request.host))
+        return plain_text(403, std::string(cross_origin_refused) + "\n");
     const bool is_query = path.starts_with(query_path);
     const bool is_list = path == worlds_path;
     std::string world;

@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "jostle/base/result.h"
+#include "server/config/origin.h"
 #include "server/http/http_message.h"
 #include "server/http/web_files.h"
 #include "server/services/query_control.h"
@@ -28,6 +29,7 @@ struct RouteSettings {
     std::function<std::optional<std::string>()> not_ready_reason;  // empty: ready
     // The fault of the server; empty: healthy.
     std::function<std::optional<std::string>()> failure_reason;
+    const HttpHandler* grpc_web = nullptr;  // null: no gRPC-Web; outlives the routes
 };
 
 class HttpRoutes final : public HttpHandler {
@@ -44,6 +46,7 @@ public:
     // reach: pages from another origin, and pages whose host name resolves to this server (DNS
     // rebinding). Returns the reason; empty: allowed.
     std::optional<std::string> cross_origin_refusal(const HttpRequest& request) const override;
+    HttpHeaders cors_headers(std::string_view origin, std::string_view host) const override;
 
 private:
     // The caller, and the row of the access table that the request matches.
@@ -53,7 +56,10 @@ private:
         const std::string& address;
     };
 
-    bool origin_is_allowed(const HttpRequest& request) const;
+    bool origin_is_allowed(std::string_view origin, std::string_view host) const;
+    bool is_grpc_web(const HttpRequest& request) const;
+    HttpResponse handle_options(const HttpRequest& request) const;
+    HttpResponse handle_grpc_web(const HttpRequest& request) const;
     HttpResponse handle_health(std::string_view path) const;
     HttpResponse handle_api(const HttpRequest& request, std::string_view path) const;
     Result<RequestContext> authorize(const HttpRequest& request, std::string_view path) const;
@@ -69,6 +75,7 @@ private:
     WorldControl& worlds_;
     const QueryControl& queries_;
     RouteSettings settings_;
+    std::vector<Origin> allowed_origins_;
     WebFiles files_;
 };
 

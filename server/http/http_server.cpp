@@ -12,6 +12,7 @@
 #include <vector>
 
 #include "jostle/base/check.h"
+#include "server/forwarding/trusted_proxies.h"
 #include "server/http/http_session.h"
 #include "server/http/websocket_session.h"
 #include "server/tls/tls_contexts.h"
@@ -53,15 +54,21 @@ struct HttpServer::Impl {
                    query_pool,
                    mutation_pool,
                    body_bytes,
-                   [this](SocketStream stream, WebSocketSession::Request request) {
-                       begin_play(std::move(stream), request);
-                   }} {}
+                   [this](SocketStream stream, WebSocketSession::Request request, SocketPeer peer) {
+                       begin_play(std::move(stream), request, std::move(peer));
+                   },
+                   [this](const std::string& address) { return has_room_for(address); },
+                   hint_log} {}
 
     Status listen();
     void accept();
     void on_accept(beast::error_code error, tcp::socket socket);
     bool make_room(const tcp::socket& socket);
-    void begin_play(SocketStream stream, const WebSocketSession::Request& request);
+    bool is_proxy(const std::string& address) const {
+        return settings.proxies && settings.proxies->contains(address);
+    }
+    bool has_room_for(const std::string& address);
+    void begin_play(SocketStream stream, const WebSocketSession::Request& request, SocketPeer peer);
     void schedule_housekeeping();
     void advance_all();
     void count_open();
@@ -71,7 +78,9 @@ struct HttpServer::Impl {
 
     PlayContext& context;
     const HttpServerSettings settings;
+    OverloadControl overload;  // outlives the sessions, which handlers of `io` may own
     asio::io_context io{1};
+    TokenBucket hint_log{0.2, 3, Clock::now()};
     double body_bytes = 0;  // of requests that are being received or handled
     WorkPool query_pool{settings.query_threads, settings.work_queue_max, query_niceness},
         mutation_pool{1, settings.work_queue_max, mutation_niceness};
@@ -147,7 +156,7 @@ bool HttpServer::Impl::make_room(const tcp::socket& socket) {
     beast::error_code error;
     const auto endpoint = socket.remote_endpoint(error);
     if (error) return false;
-    const std::string network = network_of(endpoint.address().to_string());
+    const std::string address = endpoint.address().to_string(), network = network_of(address);
     const auto is_same = [&](const auto& session) {
         return network_of(session->address()) == network;
     };
@@ -167,7 +176,8 @@ bool HttpServer::Impl::make_room(const tcp::socket& socket) {
         if (is_older(session, oldest)) oldest = session;
         if (same && is_older(session, oldest_of_address)) oldest_of_address = session;
     }
-    if (of_address >= settings.per_address_max) {
+    // The connections of a proxy belong to many clients; has_room_for() counts each of them.
+    if (of_address >= settings.per_address_max && !is_proxy(address)) {
         count_refused(ConnectionRefusal::address_limit);
         if (!oldest_of_address) return false;
         oldest_of_address->abort();
@@ -179,9 +189,27 @@ bool HttpServer::Impl::make_room(const tcp::socket& socket) {
     return true;
 }
 
-void HttpServer::Impl::begin_play(SocketStream stream, const WebSocketSession::Request& request) {
-    const auto session =
-        std::make_shared<WebSocketSession>(context, std::move(stream), settings.message_bytes_max);
+// For a client that a proxy named. If it is refused, the caller closes its connection.
+bool HttpServer::Impl::has_room_for(const std::string& address) {
+    if (is_proxy(address)) return true;
+    const std::string network = network_of(address);
+    std::size_t count = 0;
+    const auto count_same = [&](const auto& sessions) {
+        for (const auto& known : sessions)
+            if (const auto session = known.lock())
+                count += network_of(session->address()) == network ? 1 : 0;
+    };
+    count_same(play_sessions);
+    count_same(http_sessions);
+    if (count < settings.per_address_max) return true;
+    count_refused(ConnectionRefusal::address_limit);
+    return false;
+}
+
+void HttpServer::Impl::begin_play(SocketStream stream, const WebSocketSession::Request& request,
+                                  SocketPeer peer) {
+    const auto session = std::make_shared<WebSocketSession>(
+        context, overload, std::move(stream), std::move(peer), settings.message_bytes_max);
     play_sessions.push_back(session);
     if (play_sessions.size() == 1) schedule_housekeeping();  // replaces the longer idle period
     session->start(request);
@@ -198,16 +226,17 @@ void HttpServer::Impl::schedule_housekeeping() {
     });
 }
 
-// Each round starts with the next client, so that no client is always written to last.
+// Each round starts with the next client, so that no client is always written to last. A round
+// takes a while, so each client has its own time.
 void HttpServer::Impl::advance_all() {
-    const Clock::time_point now = Clock::now();
     const std::size_t count = remove_closed(play_sessions);
     if (count == 0) return;
     first = (first + 1) % count;
     ASSERT(first < count);
     for (std::size_t i = 0; i < count; ++i) {
         // advance() only starts operations, so no session starts or ends during the loop.
-        if (const auto session = play_sessions[(first + i) % count].lock()) session->advance(now);
+        if (const auto session = play_sessions[(first + i) % count].lock())
+            session->advance(Clock::now());
     }
 }
 

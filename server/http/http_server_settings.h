@@ -13,6 +13,7 @@
 namespace jostle::server {
 
 class CertificateStore;
+class TrustedProxies;
 
 struct HttpServerSettings {
     std::string host = "127.0.0.1";
@@ -21,6 +22,8 @@ struct HttpServerSettings {
     const ListenerMetrics* metrics = nullptr;        // null: no counting
     const CertificateStore* certificates = nullptr;  // null: no TLS; outlives the server
     bool require_certificates = false;               // require a certificate from every client
+    const TrustedProxies* proxies = nullptr;         // null: none; outlive the server
+    bool proxy_protocol = false;  // connections of trusted proxies begin with a PROXY header
     // Beyond the limit the connection that was idle longest is closed, so that new ones are
     // accepted.
     std::size_t connections_max = 1000;

@@ -1,15 +1,19 @@
 // SPDX-License-Identifier: MIT
 #include "server/http/http_session.h"
 
+#include <algorithm>
 #include <boost/asio/post.hpp>
+#include <boost/asio/write.hpp>
 #include <boost/beast/http/read.hpp>
 #include <boost/beast/http/write.hpp>
 #include <boost/beast/version.hpp>
 #include <boost/beast/websocket/rfc6455.hpp>
+#include <cstring>
 #include <exception>
 #include <utility>
 
 #include "jostle/base/check.h"
+#include "server/forwarding/trusted_proxies.h"
 #include "server/util/address.h"
 #include "server/util/log.h"
 
@@ -37,7 +41,11 @@ HttpSession::HttpSession(SocketStream stream, const Services& services)
     : stream_(std::move(stream)), services_(services) {
     beast::error_code error;
     const auto endpoint = stream_.tcp().socket().remote_endpoint(error);
-    if (!error) address_ = endpoint.address().to_string();
+    if (error) return;
+    sockaddr_storage peer{};
+    std::memcpy(&peer, endpoint.data(), endpoint.size());
+    address_ = address_name(peer);
+    peer_ = peer_name(peer);
 }
 
 HttpSession::~HttpSession() {
@@ -46,12 +54,78 @@ HttpSession::~HttpSession() {
 
 void HttpSession::start() {
     idle_since_ = Clock::now();
-    stream_.tcp().expires_after(services_.settings.request_timeout);
-    stream_.async_handshake([self = shared_from_this()](beast::error_code error) {
-        if (error) return;  // not a TLS client, or an invalid certificate
-        self->certificate_ = self->stream_.certificate();
-        self->read(self->services_.settings.request_timeout);
-    });
+    const HttpServerSettings& settings = services_.settings;
+    stream_.tcp().expires_after(settings.request_timeout);
+    if (settings.proxy_protocol && settings.proxies && settings.proxies->contains(address_)) {
+        proxy_header_.emplace();
+        return read_proxy_header();
+    }
+    secure();
+}
+
+// Reads no byte behind the header, which may be the first of TLS or of a request.
+void HttpSession::read_proxy_header() {
+    stream_.tcp().async_read_some(
+        asio::buffer(first_bytes_, std::min(first_bytes_.size(), proxy_header_->wanted())),
+        [self = shared_from_this()](beast::error_code error, std::size_t bytes) {
+            self->on_proxy_header(error, bytes);
+        });
+}
+
+void HttpSession::on_proxy_header(beast::error_code error, std::size_t bytes) {
+    const Status taken = error ? Status(Error{ErrorCode::unavailable, error.message()})
+                               : proxy_header_->take({first_bytes_.data(), bytes});
+    if (!taken.ok()) {
+        log_warn("http: {}: connection closed in its PROXY header: {}", peer_,
+                 taken.error().message);
+        if (services_.settings.metrics)
+            services_.settings.metrics->refused(ConnectionRefusal::proxy_header).Increment();
+        return;
+    }
+    if (proxy_header_->wanted() > 0) return read_proxy_header();
+    if (const auto client = proxy_header_->client()) {
+        const std::string address = address_name(*client);
+        if (!services_.has_room_for(address)) return;  // closes the connection
+        address_ = address;
+        peer_ = peer_name(*client);
+    }
+    proxy_header_.reset();
+    secure();
+}
+
+// Performs the TLS handshake, after a look at the first bytes.
+void HttpSession::secure() {
+    if (!stream_.tls()) return read(services_.settings.request_timeout);
+    stream_.tcp().async_read_some(
+        asio::buffer(first_bytes_),
+        [self = shared_from_this()](beast::error_code error, std::size_t bytes) {
+            self->on_first_bytes(error, bytes);
+        });
+}
+
+void HttpSession::on_first_bytes(beast::error_code error, std::size_t bytes) {
+    if (error) return;
+    const FirstBytes protocol = protocol_of({first_bytes_.data(), bytes});
+    if (protocol == FirstBytes::http1 || protocol == FirstBytes::http2)
+        return reply_to_wrong_protocol(protocol, "This port requires TLS: use https:// or wss://.");
+    stream_.async_handshake(asio::buffer(first_bytes_.data(), bytes),
+                            [self = shared_from_this()](beast::error_code failure) {
+                                if (failure) return;  // not TLS, or an invalid certificate
+                                self->certificate_ = self->stream_.certificate();
+                                self->read(self->services_.settings.request_timeout);
+                            });
+}
+
+// Sends the hint without TLS and closes the connection.
+void HttpSession::reply_to_wrong_protocol(FirstBytes protocol, std::string_view hint) {
+    if (services_.hint_log.take(1, Clock::now())) log_info("http: {}: {}", peer_, hint);
+    raw_reply_ = wrong_protocol_reply(protocol, hint);
+    asio::async_write(stream_.tcp(), asio::buffer(raw_reply_),
+                      [self = shared_from_this()](beast::error_code error, std::size_t) {
+                          if (!error)
+                              self->stream_.tcp().socket().shutdown(
+                                  asio::ip::tcp::socket::shutdown_send, error);
+                      });
 }
 
 void HttpSession::abort() {
@@ -72,6 +146,15 @@ void HttpSession::read(std::chrono::seconds timeout) {
 // The parser consumes nothing until the header is complete.
 void HttpSession::parse_header() {
     const asio::const_buffer received = buffer_.cdata();
+    const FirstBytes protocol =
+        stream_.tls()
+            ? FirstBytes::unknown
+            : protocol_of({static_cast<const std::uint8_t*>(received.data()), received.size()});
+    if (protocol == FirstBytes::tls)
+        return reply_to_wrong_protocol(protocol, "This port has no TLS: use http:// or ws://.");
+    if (protocol == FirstBytes::http2)
+        return reply_to_wrong_protocol(
+            protocol, "this is the HTTP/1.1 port; gRPC has another one (setting listen)");
     if (has_folded_header({static_cast<const char*>(received.data()), received.size()}))
         return refuse(400, "A header continues on a second line.\n");
     beast::error_code error;
@@ -105,13 +188,20 @@ bool HttpSession::failed(beast::error_code error) {
 
 void HttpSession::on_header(beast::error_code error) {
     if (failed(error)) return;
+    if (parser_->get().method() == http::verb::connect)
+        return refuse(501, "This server is not a proxy; it does not support CONNECT.\n");
     if (const auto fault = request_fault(parser_->get()))
         return refuse(400, std::string(*fault) + "\n");
     HttpRequest request = request_of_peer();
     if (beast::websocket::is_upgrade(parser_->get()) && services_.routes.accepts_players(request)) {
         if (const auto refusal = services_.routes.cross_origin_refusal(request))
             return refuse(403, *refusal + "\n");
-        return services_.upgrade(std::move(stream_), parser_->release());
+        const bool is_forwarded = request.address != address_;
+        if (is_forwarded && !services_.has_room_for(request.address))
+            return refuse(429, "Too many connections of this address are open.\n");
+        const SocketPeer peer{is_forwarded ? request.address + " via " + peer_ : peer_,
+                              request.address};
+        return services_.upgrade(std::move(stream_), parser_->release(), peer);
     }
     const bool large = services_.routes.accepts_large_body(request);
     const std::size_t bytes_max =
@@ -156,9 +246,16 @@ void HttpSession::on_body(beast::error_code error) {
     handle_request();
 }
 
+// The address of the client of the current request.
+std::string HttpSession::client_address() const {
+    const TrustedProxies* const proxies = services_.settings.proxies;
+    if (!proxies || !proxies->contains(address_)) return address_;
+    return proxies->client_address(address_, joined_header(parser_->get(), proxies->header_name()));
+}
+
 HttpRequest HttpSession::request_of_peer() const {
     HttpRequest request = to_http_request(parser_->get());
-    request.address = address_;
+    request.address = client_address();
     request.certificate = certificate_;
     return request;
 }
@@ -222,6 +319,10 @@ void HttpSession::write(const HttpResponse& response) {
             beast::string_view(content_security_policy.data(), content_security_policy.size()));
     }
     for (const auto& [name, value] : response.headers) response_.set(name, value);
+    const auto text = [&](http::field name) { return std::string(request[name]); };
+    for (const auto& [name, value] :
+         services_.routes.cors_headers(text(http::field::origin), text(http::field::host)))
+        response_.insert(name, value);
     // A response to HEAD states the length of the omitted body.
     if (response.status != 304) response_.content_length(response.body.size());
     if (!head_only_) response_.body() = response.body;

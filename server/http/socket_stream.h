@@ -20,6 +20,12 @@
 
 namespace jostle::server {
 
+// The client of a connection, as its proxy may have named it.
+struct SocketPeer {
+    std::string name;     // for the log: "192.0.2.7:4711", "192.0.2.7 via 10.0.0.1:4711"
+    std::string address;  // "192.0.2.7"
+};
+
 class SocketStream {
 public:
     using executor_type = boost::beast::tcp_stream::executor_type;
@@ -40,10 +46,14 @@ public:
     // Subject of the client certificate that TLS verified; empty: none.
     std::string certificate() const;
 
+    // Only with TLS. `received`: the first bytes of the client, which were read from tcp().
     template <class Handler>
-    void async_handshake(Handler handler) {
-        if (tls_) return tls_->async_handshake(Tls::server, std::move(handler));
-        handler(boost::beast::error_code{});
+    void async_handshake(boost::asio::const_buffer received, Handler handler) {
+        tls_->async_handshake(
+            Tls::server, received,
+            [handler = std::move(handler)](boost::beast::error_code error, std::size_t) mutable {
+                handler(error);
+            });
     }
     template <class Buffers, class Handler>
     void async_read_some(const Buffers& buffers, Handler&& handler) {

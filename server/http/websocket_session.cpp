@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "server/http/websocket_session.h"
 
-#include <spdlog/fmt/fmt.h>
-
 #include <array>
 #include <boost/asio/ip/tcp.hpp>
 #include <boost/asio/post.hpp>
@@ -56,24 +54,14 @@ websocket::close_reason reason_of(const Status& end) {
     return {close_code_of(end.error().code), boost::string_view(reason.data(), reason.size())};
 }
 
-std::string peer_name(beast::tcp_stream& stream) {
-    beast::error_code error;
-    const auto endpoint = stream.socket().remote_endpoint(error);
-    return error ? "gone"
-                 : fmt::format("ws:{}:{}", endpoint.address().to_string(), endpoint.port());
-}
-
 }  // namespace
 
-WebSocketSession::WebSocketSession(PlayContext& context, SocketStream stream,
+WebSocketSession::WebSocketSession(PlayContext& context, OverloadControl& overload,
+                                   SocketStream stream, SocketPeer peer,
                                    std::size_t message_bytes_max)
-    : context_(context) {
+    : context_(context), overload_(overload), peer_(std::move(peer)) {
     socket_.emplace(std::move(stream));
     boost::beast::tcp_stream& tcp = socket_->next_layer().tcp();
-    peer_ = peer_name(tcp);
-    beast::error_code error;
-    const auto endpoint = tcp.socket().remote_endpoint(error);
-    if (!error) address_ = endpoint.address().to_string();
     tcp.expires_never();  // from here on the WebSocket layer and the session handle timeouts
     set_tcp_user_timeout(tcp.socket().native_handle(),
                          from_seconds(context_.config.stream.client_timeout_seconds));
@@ -99,11 +87,12 @@ void WebSocketSession::on_accepted(beast::error_code error) {
     ASSERT(!session_);
     session_.emplace(
         context_,
-        Peer{.name = peer_,
-             .address = address_,
+        Peer{.name = "ws:" + peer_.name,
+             .address = peer_.address,
              .call = "GET /play",
              .who = context_.authorizer.identify(
-                 {.certificate = socket_->next_layer().certificate(), .address = address_})},
+                 {.certificate = socket_->next_layer().certificate(), .address = peer_.address}),
+             .overload = &overload_},
         Clock::now());
     read();
 }

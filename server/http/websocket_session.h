@@ -25,7 +25,9 @@ class WebSocketSession : public std::enable_shared_from_this<WebSocketSession> {
 public:
     using Request = boost::beast::http::request<boost::beast::http::string_body>;
 
-    WebSocketSession(PlayContext& context, SocketStream stream, std::size_t message_bytes_max);
+    // `overload`: of the server's thread; outlives the session.
+    WebSocketSession(PlayContext& context, OverloadControl& overload, SocketStream stream,
+                     SocketPeer peer, std::size_t message_bytes_max);
 
     // Responds to the upgrade and starts the session.
     void start(const Request& upgrade);
@@ -33,7 +35,7 @@ public:
     void advance(Clock::time_point now);
     // Closes the socket at once: the server stops, or the client does not complete the close.
     void abort();
-    const std::string& address() const { return address_; }
+    const std::string& address() const { return peer_.address; }
 
 private:
     void on_accepted(boost::beast::error_code error);
@@ -45,11 +47,12 @@ private:
     void release_stream(int turns);
 
     PlayContext& context_;
+    OverloadControl& overload_;
     // Empty some turns of the event loop after abort(). In Beast 1.74 a close and a failing read
     // can wait for each other forever; destroying the stream releases the operations that hold this
     // session. Operations of the TCP socket refer to the stream, so they must complete before.
     std::optional<boost::beast::websocket::stream<SocketStream>> socket_;
-    std::string peer_, address_;
+    const SocketPeer peer_;
     std::optional<ClientSession> session_;
     boost::beast::flat_buffer incoming_;
     OutMessage outgoing_;

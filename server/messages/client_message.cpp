@@ -162,6 +162,12 @@ Result<ClientMessage> decode(const v1::Hello& hello) {
         if (!interest.ok()) return invalid_argument("hello." + interest.error().message);
         area_of_interest = *interest;
     }
+    std::optional<StreamPrecision> precision;
+    if (hello.has_precision()) {
+        const v1::Precision& wanted = hello.precision();
+        precision = {{wanted.position(), wanted.rotation()}, wanted.far_factor()};
+        if (Status s = check(*precision, "hello.precision."); !s.ok()) return s.error();
+    }
     if (hello.max_kbps() != 0 && hello.max_kbps() < hello_kbps_min)
         return invalid_argument(
             fmt::format("hello.max_kbps is {}; it must be 0 (unlimited) or at least {}",
@@ -193,6 +199,8 @@ Result<ClientMessage> decode(const v1::Hello& hello) {
                                .codec = hello.codec(),
                                .max_kbps = hello.max_kbps(),
                                .interest = area_of_interest,
+                               .precision = precision,
+                               .packed_entities = hello.packed_entities(),
                                .datagrams = hello.datagrams(),
                                .resumable = hello.resumable(),
                                .resume = std::move(resume)}};

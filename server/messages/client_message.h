@@ -13,6 +13,7 @@
 
 #include "jostle/base/result.h"
 #include "server/replication/interest_view.h"
+#include "server/replication/pose_cache.h"
 #include "server/world/command.h"
 
 namespace jostle::server {
@@ -35,6 +36,8 @@ struct Hello {
     std::uint32_t codec = 0;            // highest codec the client supports; 0: codec 1
     std::uint32_t max_kbps = 0;         // 0: unlimited
     std::optional<Interest> interest;
+    std::optional<StreamPrecision> precision = {};  // nothing: the world's
+    bool packed_entities = false;
     bool datagrams = false;
     bool resumable = false;
     struct Resume {

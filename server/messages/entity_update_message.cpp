@@ -2,11 +2,13 @@
 #include "server/messages/entity_update_message.h"
 
 #include <algorithm>
+#include <unordered_map>
 #include <utility>
 
 #include "jostle/base/check.h"
 #include "jostle/scenes/locks_message.h"
 #include "jostle/scenes/shape_message.h"
+#include "jostle/snapshot/entity_list.h"
 #include "jostle/v1/play.pb.h"
 
 namespace jostle::server {
@@ -56,17 +58,55 @@ bool has_one_density(const EntityDescription& entity) {
 // Splits entity updates into messages of bounded size.
 class EntityUpdateWriter {
 public:
-    explicit EntityUpdateWriter(GeometryTable& table) : table_(table) {}
+    EntityUpdateWriter(GeometryTable& table, EntityForm form) : table_(table), form_(form) {}
 
     void remove(EntityId id) {
         entity_update().add_removed(id);
         count(id_bytes);
     }
     void add(const EntityDescription& entity) {
+        ASSERT(entity.id != 0);
+        if (form_ == EntityForm::packed) {
+            add_packed(entity);
+            return;
+        }
         v1::Entity& to = *entity_update().add_added();
         to.set_id(entity.id);
+        write(to, entity);
+        count(to.ByteSizeLong() + frame_bytes);
+    }
+    EntityUpdateMessages take() {
+        flush();
+        ASSERT(bytes_ == 0);
+        return std::move(out_);
+    }
+
+private:
+    static constexpr std::size_t id_bytes = 5;
+    static constexpr std::size_t frame_bytes = 4;   // tag and length of an entity
+    static constexpr std::size_t packed_bytes = 8;  // at most, of a packed entity
+
+    v1::EntityUpdate& entity_update() { return *message_.mutable_entity_update(); }
+
+    void add_packed(const EntityDescription& entity) {
+        v1::Entity prototype;
+        write(prototype, entity);
+        std::string bytes = prototype.SerializeAsString();
+        std::size_t added = packed_bytes;
+        const auto next = static_cast<std::uint32_t>(prototypes_.size());
+        const auto [known, fresh] = prototypes_.try_emplace(std::move(bytes), next);
+        if (fresh) {
+            added += known->first.size() + frame_bytes;
+            *entity_update().add_prototypes() = std::move(prototype);
+        }
+        entities_.push_back({entity.id, known->second});
+        ASSERT(entities_.size() < 2 || entities_[entities_.size() - 2].id < entity.id);
+        count(added);
+        if (prototypes_.size() == snapshot::prototypes_max) flush();
+    }
+    // Writes everything except the id.
+    void write(v1::Entity& to, const EntityDescription& entity) {
         to.set_type(to_message(entity.type));
-        ASSERT(entity.id != 0);
         const bool even = has_one_density(entity);
         for (const physics::ShapeState& shape : entity.shapes)
             write(*to.add_shapes(), shape, !even);
@@ -80,19 +120,7 @@ public:
         to.set_angular_damping(entity.angular_damping);
         if (entity.gravity_scale != 1) to.set_gravity_scale(entity.gravity_scale);
         if (entity.locks != 0) *to.mutable_locks() = scenes::locks_message(entity.locks);
-        count(to.ByteSizeLong() + frame_bytes);
     }
-    EntityUpdateMessages take() {
-        flush();
-        ASSERT(bytes_ == 0);
-        return std::move(out_);
-    }
-
-private:
-    static constexpr std::size_t id_bytes = 5;
-    static constexpr std::size_t frame_bytes = 4;  // tag and length of an entity
-
-    v1::EntityUpdate& entity_update() { return *message_.mutable_entity_update(); }
 
     // Writes appearance, pose, size and contact properties.
     void write(v1::Shape& to, const physics::ShapeState& shape, bool with_mass) {
@@ -115,6 +143,13 @@ private:
     }
     void flush() {
         if (bytes_ == 0) return;
+        if (!entities_.empty()) {
+            const std::vector<std::byte> packed =
+                snapshot::encode_entity_list(entities_, prototypes_.size());
+            entity_update().set_packed(packed.data(), packed.size());
+            entities_.clear();
+            prototypes_.clear();
+        }
         out_.entity_updates.push_back(
             std::make_shared<const std::string>(message_.SerializeAsString()));
         message_.Clear();
@@ -122,6 +157,11 @@ private:
     }
 
     GeometryTable& table_;
+    const EntityForm form_;
+    // Of the message under construction, if packed: the prototypes by their bytes, and the
+    // entities.
+    std::unordered_map<std::string, std::uint32_t> prototypes_;
+    std::vector<snapshot::ListedEntity> entities_;
     v1::ServerMessage message_;
     std::size_t bytes_ = 0;
     EntityUpdateMessages out_;
@@ -130,9 +170,9 @@ private:
 }  // namespace
 
 EntityUpdateMessages entity_update_messages(const EntityList& from, const EntityList& to,
-                                            GeometryTable& geometry) {
+                                            GeometryTable& geometry, EntityForm form) {
     Difference difference = difference_of(from, to);
-    EntityUpdateWriter writer(geometry);
+    EntityUpdateWriter writer(geometry, form);
     for (const EntityId id : difference.removed) writer.remove(id);
     for (const auto& entity : difference.added) writer.add(*entity);
     EntityUpdateMessages messages = writer.take();

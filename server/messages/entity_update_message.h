@@ -23,9 +23,12 @@ struct EntityUpdateMessages {
 
 // An EntityUpdate that only lists removed entities.
 std::string encode_removed(std::span<const EntityId> entities);
+// How an update lists added entities: each with all of its properties, or packed, with the
+// properties that equal entities share once.
+enum class EntityForm { complete, packed };
 // The update from one entity list to another. Both must be in ascending order of id; an entity
 // description never changes.
 EntityUpdateMessages entity_update_messages(const EntityList& from, const EntityList& to,
-                                            GeometryTable& geometry);
+                                            GeometryTable& geometry, EntityForm form);
 
 }  // namespace jostle::server

@@ -85,6 +85,12 @@ std::string encode_welcome(const Welcome& from) {
     v1::QuantSpec& quant = *welcome.mutable_quant();
     quant.set_units_per_meter(static_cast<std::uint32_t>(from.quant.units_per_meter));
     quant.set_rotation_component(static_cast<std::uint32_t>(from.quant.rotation_component));
+    if (from.precision.near.is_set()) {
+        v1::Precision& precision = *welcome.mutable_precision();
+        precision.set_position(from.precision.near.position_m);
+        precision.set_rotation(from.precision.near.rotation_rad);
+        precision.set_far_factor(from.precision.far_factor);
+    }
     welcome.set_server_time_us(from.server_time_us);
     welcome.set_epoch_us(from.epoch_us);
     welcome.set_cells(from.cells);

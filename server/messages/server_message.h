@@ -13,6 +13,7 @@
 #include "jostle/datagram/packet.h"
 #include "server/replication/cell_snapshot_cache.h"
 #include "server/replication/point_cache.h"
+#include "server/replication/pose_cache.h"
 #include "server/replication/snapshot_cache.h"
 #include "server/world/command.h"
 #include "server/world/frame.h"
@@ -27,6 +28,7 @@ struct Welcome {
     std::uint32_t snapshot_hz = 0;
     std::uint32_t ack_interval_ms = 0;
     snapshot::QuantSpec quant;
+    StreamPrecision precision;
     std::uint64_t server_time_us = 0, epoch_us = 0;
     physics::Vec3 gravity;
     int substeps = 0;

@@ -36,9 +36,9 @@ constexpr auto names_of(InputOutcome) {
         {"applied", "invalid", "not_found", "not_allowed", "limit"});
 }
 
-enum class SkipReason { window, pending, rate };
+enum class SkipReason { window, pending, rate, encodings };
 constexpr auto names_of(SkipReason) {
-    return std::to_array<std::string_view>({"window", "pending", "rate"});
+    return std::to_array<std::string_view>({"window", "pending", "rate", "encodings"});
 }
 
 // Why a world was paused.
@@ -63,10 +63,11 @@ enum class ConnectionRefusal {
     busy,           // too many requests wait for a thread
     penalty,        // the address attacked the server recently
     attack,         // it sent frames that no regular client sends
+    proxy_header,   // a trusted proxy sent no valid PROXY header
 };
 constexpr auto names_of(ConnectionRefusal) {
     return std::to_array<std::string_view>(
-        {"limit", "address_limit", "handshake", "busy", "penalty", "attack"});
+        {"limit", "address_limit", "handshake", "busy", "penalty", "attack", "proxy_header"});
 }
 
 // In the order of ErrorCode.
@@ -156,10 +157,18 @@ struct Metrics {
         one(counters("jostle_snapshot_bytes_total", "Bytes of snapshots sent."));
     Counter& snapshots_sent =
         one(counters("jostle_snapshots_sent_total", "Snapshots sent to clients."));
+    Counter& snapshot_encodings =
+        one(counters("jostle_snapshot_encodings_total",
+                     "Encodings of the poses of a frame. Clients with equal baselines share one."));
+    Gauges cadence_clients =
+        gauges("jostle_cadence_clients",
+               "Clients by cadence class. divisor: they are sent every n-th of the snapshots that "
+               "they requested.");
     CountersBy<SkipReason> snapshots_skipped = {
         counters("jostle_snapshots_skipped_total",
                  "Snapshots not sent to a client. window: too many are unacknowledged. pending: "
-                 "the last write is not complete. rate: the client repeatedly filled its window."),
+                 "the last write is not complete. rate: the client is served in a slower cadence "
+                 "class. encodings: the frame had its maximum of encodings."),
         "reason"};
     Counter& datagrams_received =
         one(counters("jostle_datagrams_received_total", "Authentic datagrams received."));

@@ -5,30 +5,61 @@
 #include <utility>
 
 #include "jostle/base/check.h"
+#include "jostle/snapshot/entity_diff.h"
 #include "jostle/snapshot/frame_codec.h"
 
 namespace jostle::server {
+namespace {
+
+// The entities of a cell with the poses of `poses`, a frame that contains all of them.
+snapshot::QuantizedFrame with_poses_of(const snapshot::QuantizedFrame& poses,
+                                       const snapshot::QuantizedFrame& cell) {
+    snapshot::QuantizedFrame result{.frame = cell.frame, .entities = {}};
+    result.entities.reserve(cell.entities.size());
+    snapshot::EntityFinder finder(&poses);
+    for (const snapshot::EntityState& entity : cell.entities) {
+        const snapshot::EntityState* pose = finder.find(entity.id);
+        ASSERT(pose != nullptr);
+        result.entities.push_back(*pose);
+    }
+    return result;
+}
+
+}  // namespace
 
 CellSnapshotCache::CellSnapshotCache(double interest_cell_m, const snapshot::QuantSpec& spec,
                                      Serialize serialize)
     : spec_(spec), serialize_(std::move(serialize)), grid_(interest_cell_m, spec) {}
 
-CellSnapshotCache::Cells CellSnapshotCache::cells(
-    const FramePtr& frame, const std::function<snapshot::QuantizedFrame()>& quantized) {
+CellSnapshotCache::Cells CellSnapshotCache::cells(const FramePtr& frame, const Quantize& near,
+                                                  const Quantize& far) {
     const std::lock_guard lock(mutex_);
     if (frame->tick <= tick_) return cells_;
-    CellGrid::Cells now = grid_.split(quantized(), *frame->entity_list);
+    CellGrid::Cells now = grid_.split(near(), *frame->entity_list);
     for (auto& [id, history] : histories_)
         if (!now.contains(id)) now[id].frame = frame->tick;
-    for (auto& [id, content] : now) add(id, std::move(content), frame->tick);
+    const snapshot::QuantizedFrame far_poses = far ? far() : snapshot::QuantizedFrame();
+    for (auto& [id, content] : now) {
+        if (far) add(id, true, with_poses_of(far_poses, content), frame->tick);
+        add(id, false, std::move(content), frame->tick);
+    }
     std::erase_if(histories_, [&](const auto& entry) {
         ASSERT(!entry.second.states.empty());
         const CellState& newest = entry.second.states.back();
-        return newest.content->entities.empty() && frame->tick - newest.number > empty_ticks;
+        const bool ends =
+            newest.content->entities.empty() && frame->tick - newest.number > empty_ticks;
+        if (ends) far_histories_.erase(entry.first);
+        return ends;
     });
-    auto cells = std::make_shared<std::vector<CellState>>();
+    ASSERT(far_histories_.size() == (far ? histories_.size() : 0));
+    auto cells = std::make_shared<std::vector<CellLevels>>();
     cells->reserve(histories_.size());
-    for (const auto& [id, history] : histories_) cells->push_back(history.states.back());
+    auto of_far = far_histories_.begin();
+    for (const auto& [id, history] : histories_) {
+        const CellState& state = history.states.back();
+        cells->push_back({state, far ? (of_far++)->second.states.back() : state});
+        ASSERT(cells->back().far.id == id);
+    }
     tick_ = frame->tick;
     cells_ = std::move(cells);
     ASSERT(cells_->size() == histories_.size());
@@ -36,8 +67,9 @@ CellSnapshotCache::Cells CellSnapshotCache::cells(
 }
 
 // A state equal to the previous one is not stored again.
-void CellSnapshotCache::add(CellId cell, snapshot::QuantizedFrame content, std::uint32_t tick) {
-    History& history = histories_[cell];
+void CellSnapshotCache::add(CellId cell, bool far, snapshot::QuantizedFrame content,
+                            std::uint32_t tick) {
+    History& history = histories(far)[cell];
     if (!history.states.empty() && history.states.back().content->entities == content.entities)
         return;
     const std::uint32_t crc = snapshot::frame_crc(content);
@@ -47,7 +79,7 @@ void CellSnapshotCache::add(CellId cell, snapshot::QuantizedFrame content, std::
                            &snapshot::EntityState::id, &snapshot::EntityState::id);
     ASSERT(history.states.empty() || history.states.back().number < tick);
     const std::uint32_t members = same_members ? history.states.back().members : tick;
-    history.states.push_back({cell, tick, members,
+    history.states.push_back({cell, far, tick, members,
                               std::make_shared<const snapshot::QuantizedFrame>(std::move(content)),
                               crc});
     if (history.states.size() > states_retained) history.states.pop_front();
@@ -66,8 +98,9 @@ SharedBytes CellSnapshotCache::encoding(const CellState& state, snapshot::Baseli
     const std::lock_guard lock(mutex_);
     // Another thread may have added a newer state or dropped the cell; the encoding is then made
     // for this client only.
-    const auto known = histories_.find(state.id);
-    if (known == histories_.end()) return encode({}, state, baselines, codec);
+    Histories& all = histories(state.far);
+    const auto known = all.find(state.id);
+    if (known == all.end()) return encode({}, state, baselines, codec);
     History& history = known->second;
     if (history.states.back().number != state.number)
         return encode(history, state, baselines, codec);
@@ -79,6 +112,7 @@ SharedBytes CellSnapshotCache::encoding(const CellState& state, snapshot::Baseli
 SharedBytes CellSnapshotCache::encode(const History& history, const CellState& state,
                                       snapshot::BaselineFrames baselines,
                                       snapshot::Codec codec) const {
+    baselines = snapshot::predictable(state.number, baselines, spec_);
     const snapshot::QuantizedFrame* baseline =
         baselines.baseline != 0 ? find(history, baselines.baseline) : nullptr;
     const snapshot::QuantizedFrame* baseline2 =

@@ -20,6 +20,7 @@ namespace jostle::server {
 
 struct CellState {
     CellId id = everywhere;
+    bool far = false;           // in the precision of distant cells
     std::uint32_t number = 0;   // tick of the last change
     std::uint32_t members = 0;  // tick of the last entity that entered or left
     std::shared_ptr<const snapshot::QuantizedFrame> content;
@@ -44,10 +45,17 @@ public:
     CellSnapshotCache(double interest_cell_m, const snapshot::QuantSpec& spec, Serialize serialize);
 
     // In ascending order of id. An empty cell is retained for `empty_ticks`.
-    using Cells = std::shared_ptr<const std::vector<CellState>>;
-    // The cells of a frame, or of the newest frame requested so far if that is newer. `quantized`
-    // is called only for a new frame.
-    Cells cells(const FramePtr& frame, const std::function<snapshot::QuantizedFrame()>& quantized);
+    struct CellLevels {
+        CellState near;
+        // The same entities in the precision of distant cells; without one equal to `near`.
+        CellState far;
+    };
+    using Cells = std::shared_ptr<const std::vector<CellLevels>>;
+    using Quantize = std::function<snapshot::QuantizedFrame()>;
+    // The cells of a frame, or of the newest frame requested so far if that is newer. `near` and
+    // `far` return the poses of the frame in both precisions; they are called only for a new frame.
+    // Without `far` all cells have the same precision; either all calls have it or none.
+    Cells cells(const FramePtr& frame, const Quantize& near, const Quantize& far = {});
     // Baselines that are no longer stored are omitted. Never null.
     SharedBytes encoding(const CellState& state, snapshot::BaselineFrames baselines,
                          snapshot::Codec codec);
@@ -64,7 +72,9 @@ private:
         // Encodings of the newest state.
         std::map<std::tuple<snapshot::BaselineFrames, snapshot::Codec>, SharedBytes> encodings;
     };
-    void add(CellId cell, snapshot::QuantizedFrame content, std::uint32_t tick);
+    using Histories = std::map<CellId, History>;
+    Histories& histories(bool far) { return far ? far_histories_ : histories_; }
+    void add(CellId cell, bool far, snapshot::QuantizedFrame content, std::uint32_t tick);
     const snapshot::QuantizedFrame* find(const History& history, std::uint32_t number) const;
     SharedBytes encode(const History& history, const CellState& state,
                        snapshot::BaselineFrames baselines, snapshot::Codec codec) const;
@@ -74,8 +84,8 @@ private:
     std::mutex mutex_;
     CellGrid grid_;
     std::uint32_t tick_ = 0;
-    std::map<CellId, History> histories_;
-    Cells cells_ = std::make_shared<const std::vector<CellState>>();
+    Histories histories_, far_histories_;  // far_histories_: empty, or of the same cells
+    Cells cells_ = std::make_shared<const std::vector<CellLevels>>();
 };
 
 }  // namespace jostle::server

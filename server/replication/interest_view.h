@@ -4,9 +4,9 @@
 // cells are sent with every snapshot, cells beyond half of the radius with every second one, and
 // cells beyond three quarters with every fourth. Cells that waited longest and are nearest come
 // first, within the client's budget: a token bucket of bytes that holds one twentieth of a second,
-// so that no second exceeds the rate by more than a twentieth. New cells have a quota of their own,
-// half of the rate, so that entering a crowded area does not stop updates of moving entities. While
-// point objects wait (points_section.h), cells leave them half of the rate.
+// and a limit on the bytes of any second. New cells have a quota of their own, half of the rate, so
+// that entering a crowded area does not stop updates of moving entities; they also get what updates
+// leave. While point objects wait (points_section.h), cells leave them half of the rate.
 //
 // Threads: one thread at a time.
 #pragma once
@@ -21,6 +21,7 @@
 #include "server/replication/baseline_tracker.h"
 #include "server/replication/cell_snapshot_cache.h"
 #include "server/util/clock.h"
+#include "server/util/fifo.h"
 
 namespace jostle::server {
 
@@ -48,11 +49,11 @@ public:
     // The cells to send in this tick in order of priority: new cells, then known ones. Send each as
     // long as affords() allows. Refills the budget.
     std::vector<PendingCell> pending_cells(const CellSnapshotCache& cache,
-                                           const std::vector<CellState>& cells, std::uint32_t tick,
-                                           Clock::time_point now);
+                                           const std::vector<CellSnapshotCache::CellLevels>& cells,
+                                           std::uint32_t tick, Clock::time_point now);
     // Adds the tokens since the last call. pending_cells() calls it too.
     void refill(Clock::time_point now);
-    // Whether `bytes` of cells or entities may be sent now.
+    // Whether `bytes` of cells or entities may be sent now; `fresh`: within the quota of new cells.
     bool affords(std::size_t bytes, bool fresh) const;
     void spend(std::size_t bytes, bool fresh);
 
@@ -79,12 +80,24 @@ public:
     void reset();
 
 private:
+    // Whether a cell is sent in the precision of distant cells; `was`: it was so before.
+    bool is_far(double distance_m, bool was) const;
+
     struct Known {
         BaselineTracker states;  // by cell state number
+        bool far = false;        // CellState::far when last sent
         std::uint32_t sent_tick = 0;
         std::uint32_t members = 0;  // CellState::members when last sent
     };
+    struct Sent {
+        Clock::time_point at;
+        double bytes;
+    };
+    void count_sent(std::size_t bytes);
+
     const double rate_;  // bytes per second
+    Fifo<Sent> last_second_;
+    double sent_in_second_ = 0;  // sum of last_second_
     double tokens_ = 0, fresh_tokens_ = 0;
     double point_tokens_ = 0;  // the part of the tokens that is for point objects
     bool points_wait_ = false, cells_wait_ = false;

@@ -7,6 +7,7 @@
 #include <utility>
 
 #include "jostle/base/check.h"
+#include "jostle/snapshot/entity_diff.h"
 #include "jostle/snapshot/quantize.h"
 
 namespace jostle::server {
@@ -14,11 +15,28 @@ namespace {
 
 static_assert(PoseList::block_size == snapshot::crc_block);
 
-snapshot::EntityState quantized_pose(const EntityPose& e, const snapshot::QuantSpec& spec) {
+snapshot::Pose pose_of(const EntityPose& e) {
     const auto& p = e.pose.position;
     const auto& q = e.pose.rotation;
-    return snapshot::quantize(e.id, {{p.x, p.y, p.z}, {q.x, q.y, q.z, q.w}}, !e.awake, spec);
+    return {{p.x, p.y, p.z}, {q.x, q.y, q.z, q.w}};
 }
+
+// Finds the pose of an entity by its id, which is at `guess` if the entity list is the same.
+const EntityPose* find_pose(const PoseList& poses, EntityId id, std::size_t guess) {
+    if (guess < poses.size() && poses[guess].id == id) return &poses[guess];
+    std::size_t low = 0, high = poses.size();
+    while (low < high) {
+        const std::size_t middle = (low + high) / 2;
+        if (poses[middle].id < id)
+            low = middle + 1;
+        else
+            high = middle;
+    }
+    return low < poses.size() && poses[low].id == id ? &poses[low] : nullptr;
+}
+
+// Baselines up to this factor older than the best ones are used to share an encoding.
+constexpr std::uint32_t shared_age_factor = 2;
 
 // Ticks in which nothing changed since the baseline, except possibly in the frame's own tick.
 std::uint32_t unchanged_ticks(const Frame& frame, const Frame& baseline) {
@@ -38,6 +56,11 @@ snapshot::Channels channels_of(const Frame& frame) {
 }  // namespace
 
 SnapshotCache::Entry* SnapshotCache::find(std::uint32_t frame) {
+    const auto at = entries_.find(frame);
+    return at == entries_.end() ? nullptr : &at->second;
+}
+
+const SnapshotCache::Entry* SnapshotCache::find(std::uint32_t frame) const {
     const auto at = entries_.find(frame);
     return at == entries_.end() ? nullptr : &at->second;
 }
@@ -96,13 +119,45 @@ void SnapshotCache::quantize(Entry& entry, const Entry* previous, Entry oldest) 
             if (b < entry.block_crcs.size()) entry.block_crcs[b] = previous->block_crcs[b];
             continue;
         }
-        std::ranges::transform(*blocks[b], to.begin(),
-                               [&](const EntityPose& pose) { return quantized_pose(pose, spec_); });
+        quantize_block(entry, b);
         entry.block_rests[b] = std::ranges::all_of(to, &snapshot::EntityState::at_rest);
         if (b < entry.block_crcs.size()) entry.block_crcs[b] = snapshot::block_crc(to);
     }
     ASSERT(changed || previous);
     entry.crc = changed ? snapshot::frame_crc(entry.quantized, entry.block_crcs) : previous->crc;
+}
+
+// With a precision, the states depend on those of the two quantized frames before this one.
+void SnapshotCache::quantize_block(Entry& entry, std::size_t block) const {
+    const std::size_t first = block * PoseList::block_size;
+    const Entry *last = nullptr, *before_last = nullptr;
+    if (precision_.is_set()) {
+        auto at = entries_.find(entry.frame->tick);
+        if (at != entries_.begin()) last = &(--at)->second;
+        if (last && at != entries_.begin()) before_last = &(--at)->second;
+    }
+    snapshot::SentMotion sent;
+    if (last) sent.spacing.dt1 = entry.frame->tick - last->frame->tick;
+    if (before_last) sent.spacing.dt2 = last->frame->tick - before_last->frame->tick;
+    // A longer gap has no meaningful prediction.
+    if (sent.spacing.dt1 > snapshot::baseline_distance_max ||
+        sent.spacing.dt2 > snapshot::baseline_distance_max)
+        last = before_last = nullptr, sent.spacing = {};
+    snapshot::EntityFinder in_last(last ? &last->quantized : nullptr),
+        in_before_last(before_last ? &before_last->quantized : nullptr);
+    std::size_t at = first;
+    for (const EntityPose& pose : *entry.frame->entities.blocks()[block]) {
+        sent.last = in_last.find(pose.id);
+        sent.before_last = in_before_last.find(pose.id);
+        const EntityPose* last_pose =
+            sent.last ? find_pose(last->frame->entities, pose.id, at) : nullptr;
+        const snapshot::Pose truth = last_pose ? pose_of(*last_pose) : snapshot::Pose{};
+        sent.last_pose = last_pose ? &truth : nullptr;
+        entry.quantized.entities[at++] =
+            precision_.is_set() ? snapshot::quantize_within(precision_, pose.id, pose_of(pose),
+                                                            !pose.awake, sent, spec_)
+                                : snapshot::quantize(pose.id, pose_of(pose), !pose.awake, spec_);
+    }
 }
 
 // Blocks that both frames share, and in which all entities are at rest.
@@ -128,18 +183,53 @@ std::vector<snapshot::UnchangedRun> SnapshotCache::unchanged_runs(const Entry& e
 SharedBytes SnapshotCache::encoding(const FramePtr& frame, snapshot::BaselineFrames baselines,
                                     std::uint64_t kinds, std::optional<snapshot::Codec> poses) {
     const std::lock_guard lock(mutex_);
+    return encode(entry_of(frame), baselines, kinds, poses);
+}
+
+SnapshotCache::Shared SnapshotCache::shared_encoding(const FramePtr& frame,
+                                                     const BaselineTracker& known,
+                                                     std::uint64_t kinds,
+                                                     std::optional<snapshot::Codec> poses) {
+    const std::lock_guard lock(mutex_);
     Entry& entry = entry_of(frame);
-    ASSERT(entry.frame->tick == frame->tick);
-    // Each baseline is usable only with the previous one, in descending order.
-    const Entry* baseline = baselines.baseline < frame->tick ? find(baselines.baseline) : nullptr;
-    const Entry* baseline2 =
-        baseline && baselines.baseline2 < baselines.baseline ? find(baselines.baseline2) : nullptr;
-    const Entry* baseline3 = baseline2 && baselines.baseline3 < baselines.baseline2
-                                 ? find(baselines.baseline3)
-                                 : nullptr;
-    const snapshot::BaselineFrames used{baseline ? baselines.baseline : 0,
-                                        baseline2 ? baselines.baseline2 : 0,
-                                        baseline3 ? baselines.baseline3 : 0};
+    const std::uint32_t tick = frame->tick;
+    const snapshot::BaselineFrames best = held(known.baselines_for(tick), tick);
+    const std::uint64_t made_before = made_;
+    if (best.baseline == 0 || !poses || entry.encodings.contains({best, kinds, poses}) ||
+        entry.packed.contains({best, *poses}))
+        return {encode(entry, best, kinds, poses), made_ != made_before};
+    // Of the encodings that the client can decode, the one with the newest baselines.
+    const bool is_full = entry.encodings_with_baselines >= encodings_per_frame_max;
+    const snapshot::BaselineFrames* suitable = nullptr;
+    for (const auto& [key, bytes] : entry.packed) {
+        const auto& [baselines, codec] = key;
+        if (codec != *poses || baselines.baseline == 0 || !known.has(baselines)) continue;
+        if (!is_full && tick - baselines.baseline > shared_age_factor * (tick - best.baseline))
+            continue;
+        if (!suitable || *suitable < baselines) suitable = &baselines;
+    }
+    if (suitable) return {encode(entry, *suitable, kinds, poses), false};
+    if (is_full) return {};
+    return {encode(entry, best, kinds, poses), true};
+}
+
+// The baselines that are stored and predictable. Each is usable only with the previous one, in
+// descending order.
+snapshot::BaselineFrames SnapshotCache::held(const snapshot::BaselineFrames& wanted,
+                                             std::uint32_t tick) const {
+    const snapshot::BaselineFrames usable = snapshot::predictable(tick, wanted, spec_);
+    const bool first = usable.baseline < tick && find(usable.baseline);
+    const bool second = first && usable.baseline2 < usable.baseline && find(usable.baseline2);
+    const bool third = second && usable.baseline3 < usable.baseline2 && find(usable.baseline3);
+    return {first ? usable.baseline : 0, second ? usable.baseline2 : 0,
+            third ? usable.baseline3 : 0};
+}
+
+SharedBytes SnapshotCache::encode(Entry& entry, const snapshot::BaselineFrames& wanted,
+                                  std::uint64_t kinds, std::optional<snapshot::Codec> poses) {
+    const FramePtr& frame = entry.frame;
+    const snapshot::BaselineFrames used = held(wanted, frame->tick);
+    const Entry* const baseline = used.baseline != 0 ? find(used.baseline) : nullptr;
     if (const auto made = entry.encodings.find({used, kinds, poses}); made != entry.encodings.end())
         return made->second;
     snapshot::PackedChannels channels;
@@ -177,12 +267,19 @@ const std::vector<std::byte>& SnapshotCache::packed(Entry& entry,
         {poses(baselines.baseline), poses(baselines.baseline2), poses(baselines.baseline3)}, spec_,
         codec, unchanged);
     made_++;
+    if (baseline) entry.encodings_with_baselines++;
     return at->second;
 }
 
 snapshot::QuantizedFrame SnapshotCache::quantized(const FramePtr& frame) {
     const std::lock_guard lock(mutex_);
     return entry_of(frame).quantized;
+}
+
+FramePtr SnapshotCache::frame(std::uint32_t tick) const {
+    const std::lock_guard lock(mutex_);
+    const Entry* const entry = find(tick);
+    return entry ? entry->frame : nullptr;
 }
 
 bool SnapshotCache::holds(std::uint32_t frame) const {

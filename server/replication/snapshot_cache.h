@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
 // Encode once, send to many: the newest frames of one world are quantized once each, and each
-// encoding of a frame against a set of baselines is made once and shared by reference count. Any
-// thread.
+// encoding of a frame against a set of baselines is made once and shared by reference count. A
+// client that lacks the usual baselines of its cadence class gets an existing encoding whose
+// baselines it has, so that the number of encodings per frame does not grow with the number of
+// clients. It is limited in any case. Any thread.
 #pragma once
 
 #include <array>
@@ -19,6 +21,8 @@
 #include "jostle/snapshot/baseline_frames.h"
 #include "jostle/snapshot/channel_codec.h"
 #include "jostle/snapshot/frame_codec.h"
+#include "jostle/snapshot/precision.h"
+#include "server/replication/baseline_tracker.h"
 #include "server/world/frame.h"
 
 namespace jostle::server {
@@ -40,9 +44,14 @@ class SnapshotCache {
 public:
     using Serialize = std::function<std::string(const EncodedSnapshot&)>;
     static constexpr std::size_t ring = 32;  // frames retained as baselines
+    // Pose encodings of a frame for clients that have baselines. Keyframes do not count: each codec
+    // has one.
+    static constexpr int encodings_per_frame_max = 16;
 
-    SnapshotCache(snapshot::QuantSpec spec, Serialize serialize)
-        : spec_(spec), serialize_(std::move(serialize)) {}
+    // `precision`: guaranteed for every pose in the units of `spec`. Not set: poses are rounded to
+    // the nearest units.
+    SnapshotCache(snapshot::QuantSpec spec, Serialize serialize, snapshot::Precision precision = {})
+        : spec_(spec), precision_(precision), serialize_(std::move(serialize)) {}
 
     // Encodes the frame against the baselines; baselines that left the ring are omitted, and
     // without a first baseline the encoding is a keyframe. `kinds`: one bit per requested channel
@@ -51,6 +60,18 @@ public:
     SharedBytes encoding(const FramePtr& frame, snapshot::BaselineFrames baselines,
                          std::uint64_t kinds = 0,
                          std::optional<snapshot::Codec> poses = snapshot::Codec::bits);
+    // The same for a client that has the frames `known`: an encoding of that frame that was made
+    // before, if its baselines are known to the client and hardly older than the best ones. Null:
+    // the frame has its maximum of encodings, and none of them suits the client.
+    struct Shared {
+        SharedBytes bytes;
+        bool fresh = false;  // the poses were encoded for this call
+    };
+    Shared shared_encoding(const FramePtr& frame, const BaselineTracker& known,
+                           std::uint64_t kinds = 0,
+                           std::optional<snapshot::Codec> poses = snapshot::Codec::bits);
+    // The frame of a tick; null: no encoding of it was requested, or it left the ring.
+    FramePtr frame(std::uint32_t tick) const;
     // The quantized entities of the frame.
     snapshot::QuantizedFrame quantized(const FramePtr& frame);
     // Whether the frame can still be a baseline.
@@ -80,19 +101,26 @@ private:
         std::map<std::pair<snapshot::BaselineFrames, snapshot::Codec>, std::vector<std::byte>>
             packed;
         std::map<EncodingKey, SharedBytes> encodings;
+        int encodings_with_baselines = 0;  // of poses
     };
 
     // Requires the lock, and baselines that are stored. Poses are encoded once for all combinations
     // of channels.
     const std::vector<std::byte>& packed(Entry& entry, const snapshot::BaselineFrames& baselines,
                                          snapshot::Codec codec);
+    SharedBytes encode(Entry& entry, const snapshot::BaselineFrames& wanted, std::uint64_t kinds,
+                       std::optional<snapshot::Codec> poses);
+    snapshot::BaselineFrames held(const snapshot::BaselineFrames& wanted, std::uint32_t tick) const;
     Entry& entry_of(const FramePtr& frame);
     void quantize(Entry& entry, const Entry* previous, Entry oldest) const;
+    void quantize_block(Entry& entry, std::size_t block) const;
     Entry* find(std::uint32_t frame);
+    const Entry* find(std::uint32_t frame) const;
     static std::vector<snapshot::UnchangedRun> unchanged_runs(const Entry& entry,
                                                               const Entry& baseline);
 
     const snapshot::QuantSpec spec_;
+    const snapshot::Precision precision_;
     const Serialize serialize_;
     mutable std::mutex mutex_;
     std::map<std::uint32_t, Entry> entries_;  // by frame number, at most `ring`

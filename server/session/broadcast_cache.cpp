@@ -22,35 +22,45 @@ SharedBytes share(std::string bytes) {
 
 BroadcastCache::BroadcastCache(std::shared_ptr<WorldHost> host, double interest_cell_m)
     : host_(std::move(host)),
-      snapshots_(snapshot::QuantSpec{}, encode_shared_snapshot),
-      cells_(interest_cell_m, snapshot::QuantSpec{}, encode_cell_field),
+      interest_cell_m_(interest_cell_m),
       points_(encode_points_field, encode_point_object_field) {
     ASSERT(host_ != nullptr);
 }
 
-CellSnapshotCache::Cells BroadcastCache::cells_of(const FramePtr& frame) {
-    return cells_.cells(frame, [&] { return snapshots_.quantized(frame); });
+std::shared_ptr<PoseCache> BroadcastCache::poses(const StreamPrecision& precision) {
+    const std::lock_guard lock(mutex_);
+    std::erase_if(poses_, [](const auto& entry) { return entry.second.expired(); });
+    std::weak_ptr<PoseCache>& known = poses_[precision];
+    std::shared_ptr<PoseCache> poses = known.lock();
+    if (!poses) {
+        poses = std::make_shared<PoseCache>(precision, interest_cell_m_, encode_shared_snapshot,
+                                            encode_cell_field);
+        known = poses;
+    }
+    return poses;
 }
 
-EntityUpdateMessages BroadcastCache::entity_update_for(const EntityList& entities) {
+EntityUpdateMessages BroadcastCache::entity_update_for(const EntityList& entities,
+                                                       EntityForm form) {
     const std::lock_guard lock(mutex_);
     static const EntityList nothing;
-    return entity_update_messages(nothing, entities, geometry_);
+    return entity_update_messages(nothing, entities, geometry_, form);
 }
 
 std::shared_ptr<const EntityUpdateMessages> BroadcastCache::entity_list_change(
-    const std::shared_ptr<const EntityList>& from, const std::shared_ptr<const EntityList>& to) {
+    const std::shared_ptr<const EntityList>& from, const std::shared_ptr<const EntityList>& to,
+    EntityForm form) {
     ASSERT(to != nullptr);
     const std::lock_guard lock(mutex_);
     for (const EntityListChange& change : entity_list_changes_) {
-        if (change.from == from && change.to == to) return change.messages;
+        if (change.from == from && change.to == to && change.form == form) return change.messages;
     }
     static const EntityList nothing;
     const auto messages = std::make_shared<const EntityUpdateMessages>(
-        entity_update_messages(from ? *from : nothing, *to, geometry_));
+        entity_update_messages(from ? *from : nothing, *to, geometry_, form));
     if (entity_list_changes_.size() == entity_list_changes_retained)
         entity_list_changes_.erase(entity_list_changes_.begin());
-    entity_list_changes_.push_back({from, to, messages});
+    entity_list_changes_.push_back({from, to, form, messages});
     return messages;
 }
 

@@ -13,9 +13,8 @@
 #include <vector>
 
 #include "server/messages/entity_update_message.h"
-#include "server/replication/cell_snapshot_cache.h"
 #include "server/replication/point_cache.h"
-#include "server/replication/snapshot_cache.h"
+#include "server/replication/pose_cache.h"
 #include "server/world/world_host.h"
 
 namespace jostle::server {
@@ -25,18 +24,17 @@ public:
     BroadcastCache(std::shared_ptr<WorldHost> host, double interest_cell_m);
 
     WorldHost& host() const { return *host_; }
-    SnapshotCache& snapshots() { return snapshots_; }
-    CellSnapshotCache& cells() { return cells_; }
+    // The poses in a granted precision, created if no client uses it yet. Never null.
+    std::shared_ptr<PoseCache> poses(const StreamPrecision& precision);
     PointCache& points() { return points_; }
-    // The cells of a frame, or of a newer one.
-    CellSnapshotCache::Cells cells_of(const FramePtr& frame);
 
     // The messages that change a client's entity list from `from` to `to`; null `from`: the client
     // has no entities.
     std::shared_ptr<const EntityUpdateMessages> entity_list_change(
-        const std::shared_ptr<const EntityList>& from, const std::shared_ptr<const EntityList>& to);
+        const std::shared_ptr<const EntityList>& from, const std::shared_ptr<const EntityList>& to,
+        EntityForm form);
     // The messages that add these entities.
-    EntityUpdateMessages entity_update_for(const EntityList& entities);
+    EntityUpdateMessages entity_update_for(const EntityList& entities, EntityForm form);
     // A field of a Snapshot.
     SharedBytes world_stats(const FramePtr& frame, std::uint32_t clients);
     // The shared fields of an Events message.
@@ -46,14 +44,15 @@ private:
     struct EntityListChange {
         // Owned, so that no other entity list can have the same address.
         std::shared_ptr<const EntityList> from, to;
+        EntityForm form;
         std::shared_ptr<const EntityUpdateMessages> messages;
     };
 
     const std::shared_ptr<WorldHost> host_;
-    SnapshotCache snapshots_;
-    CellSnapshotCache cells_;
+    const double interest_cell_m_;
     PointCache points_;
     std::mutex mutex_;
+    std::map<StreamPrecision, std::weak_ptr<PoseCache>> poses_;
     GeometryTable geometry_;
     std::vector<EntityListChange> entity_list_changes_;  // oldest first
     std::deque<std::pair<std::shared_ptr<const TickEvents>, SharedBytes>> events_;

@@ -13,13 +13,17 @@ namespace {
 
 constexpr double bytes_per_kbit = 125;
 // Entities per entity update of one cell, and the estimated size of one in bytes.
-constexpr std::size_t entities_per_update_max = 64, entity_bytes = 48;
+struct UpdateSize {
+    std::size_t entities_max, entity_bytes;
+};
+constexpr UpdateSize complete_entities{64, 48}, packed_entities{1024, 2};
 
 }  // namespace
 
-CellsSection::CellsSection(BroadcastCache& broadcast, EntityStream& entities, snapshot::Codec codec,
-                           const Hello& hello)
+CellsSection::CellsSection(BroadcastCache& broadcast, PoseCache& poses, EntityStream& entities,
+                           snapshot::Codec codec, const Hello& hello)
     : broadcast_(broadcast),
+      poses_(poses),
       entities_(entities),
       codec_(codec),
       view_(hello.max_kbps * bytes_per_kbit) {
@@ -30,26 +34,40 @@ void CellsSection::append(const FramePtr& frame, Clock::time_point now, Snapshot
     if (frame->entity_list != entities_.list()) update_list(frame->entity_list);
     parts.has_poses = false;
     has_pending_ = false;
-    CellSnapshotCache& cache = broadcast_.cells();
-    const CellSnapshotCache::Cells cells = broadcast_.cells_of(frame);
-    for (const auto& part : view_.pending_cells(cache, *cells, frame->tick, now)) {
-        if (part.new_members && !send_members(*part.state.content)) {
-            has_pending_ = true;
-            continue;
-        }
-        SharedBytes bytes = cache.encoding(part.state, part.baselines, codec_);
-        if (!view_.affords(bytes->size(), part.fresh)) {
-            has_pending_ = true;
-            if (part.fresh) continue;
+    const CellSnapshotCache& cache = poses_.cells();
+    const CellSnapshotCache::Cells cells = poses_.cells_of(frame);
+    std::vector<InterestView::PendingCell> beyond_quota;
+    bool budget_left = true;
+    for (auto& part : view_.pending_cells(cache, *cells, frame->tick, now)) {
+        if (send_cell(part, frame->tick, part.fresh, parts)) continue;
+        has_pending_ = true;
+        if (part.fresh || part.new_members) {
+            beyond_quota.push_back(std::move(part));
+        } else {
+            budget_left = false;  // a cell further down must not overtake it each time
             break;
         }
-        view_.spend(bytes->size(), part.fresh);
-        view_.on_sent(part, frame->tick);
-        parts.shared_fields.push_back(std::move(bytes));
     }
+    // New cells also get what updates leave of the budget.
+    for (const auto& part : beyond_quota)
+        if (!budget_left || !send_cell(part, frame->tick, false, parts)) break;
     view_.set_cells_waiting(has_pending_);
     const std::vector<CellId> left = view_.take_left();
     if (!left.empty()) parts.fields += encode_cells_left_field(left);
+}
+
+// Returns false if the budget does not allow it, or if the client lacks entities of the cell.
+// `quota`: within the quota of new cells.
+bool CellsSection::send_cell(const InterestView::PendingCell& part, std::uint32_t tick, bool quota,
+                             SnapshotParts& parts) {
+    if (!view_.affords(0, quota)) return false;
+    if (part.new_members && !send_members(*part.state.content, quota)) return false;
+    SharedBytes bytes = poses_.cells().encoding(part.state, part.baselines, codec_);
+    if (!view_.affords(bytes->size(), quota)) return false;
+    view_.spend(bytes->size(), part.fresh);
+    view_.on_sent(part, tick);
+    parts.shared_fields.push_back(std::move(bytes));
+    return true;
 }
 
 void CellsSection::on_sent(const OutMessage& snapshot) {
@@ -60,14 +78,16 @@ void CellsSection::on_sent(const OutMessage& snapshot) {
 
 // Sends the entities of the cell that the client does not know, as far as the budget allows.
 // Returns true if the client knew all of them.
-bool CellsSection::send_members(const snapshot::QuantizedFrame& cell) {
+bool CellsSection::send_members(const snapshot::QuantizedFrame& cell, bool quota) {
+    const UpdateSize& size =
+        entities_.form() == EntityForm::packed ? packed_entities : complete_entities;
     EntityList fresh;
     bool knew_all = true;
     for (const snapshot::EntityState& entity : cell.entities) {
         if (is_known(entity.id)) continue;
         knew_all = false;
-        if (fresh.size() == entities_per_update_max ||
-            !view_.affords(fresh.size() * entity_bytes, true))
+        if (fresh.size() == size.entities_max ||
+            !view_.affords(fresh.size() * size.entity_bytes, quota))
             break;
         const EntityList& list = *entities_.list();
         const auto at = std::ranges::lower_bound(list, entity.id, {},
@@ -75,9 +95,12 @@ bool CellsSection::send_members(const snapshot::QuantizedFrame& cell) {
         if (at != list.end() && (*at)->id == entity.id) fresh.push_back(*at);
     }
     if (fresh.empty()) return knew_all;
-    const EntityUpdateMessages messages = broadcast_.entity_update_for(fresh);
+    const EntityUpdateMessages messages = broadcast_.entity_update_for(fresh, entities_.form());
+    std::size_t bytes = 0;
+    for (const SharedBytes& update : messages.entity_updates) bytes += update->size();
+    if (!view_.affords(bytes, quota)) return false;
     entities_.send(messages);
-    for (const SharedBytes& update : messages.entity_updates) view_.spend(update->size(), true);
+    view_.spend(bytes, true);
     for (const auto& entity : fresh) {
         if (known_.size() <= entity->id) known_.resize(entity->id + 1, false);
         known_[entity->id] = true;
@@ -90,7 +113,8 @@ void CellsSection::update_list(const std::shared_ptr<const EntityList>& list) {
     ASSERT(list != nullptr);
     if (entities_.list()) {
         std::vector<EntityId> removed;
-        for (const EntityId id : broadcast_.entity_list_change(entities_.list(), list)->removed)
+        for (const EntityId id :
+             broadcast_.entity_list_change(entities_.list(), list, entities_.form())->removed)
             if (is_known(id)) removed.push_back(id);
         entities_.send_removed(removed);
         for (const EntityId id : removed) known_[id] = false;

@@ -18,8 +18,8 @@ namespace jostle::server {
 
 class CellsSection final : public SnapshotSection {
 public:
-    CellsSection(BroadcastCache& broadcast, EntityStream& entities, snapshot::Codec codec,
-                 const Hello& hello);
+    CellsSection(BroadcastCache& broadcast, PoseCache& poses, EntityStream& entities,
+                 snapshot::Codec codec, const Hello& hello);
 
     // The budget did not suffice for all pending cells and entities.
     bool has_changes(const Frame&) const override { return has_pending_; }
@@ -34,10 +34,13 @@ public:
 
 private:
     void update_list(const std::shared_ptr<const EntityList>& list);
-    bool send_members(const snapshot::QuantizedFrame& cell);
+    bool send_cell(const InterestView::PendingCell& part, std::uint32_t tick, bool quota,
+                   SnapshotParts& parts);
+    bool send_members(const snapshot::QuantizedFrame& cell, bool quota);
     bool is_known(EntityId entity) const { return entity < known_.size() && known_[entity]; }
 
     BroadcastCache& broadcast_;
+    PoseCache& poses_;
     EntityStream& entities_;
     const snapshot::Codec codec_;
     InterestView view_;

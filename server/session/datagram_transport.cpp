@@ -68,16 +68,17 @@ Status DatagramTransport::receive(const DatagramConnection::ReceivedMessage& rec
 }
 
 void DatagramTransport::send(Clock::time_point now) {
-    const FramePtr frame = parts_.host.frame();
+    const FramePtr newest = parts_.host.frame();
     drop_lost(now);
-    if (!session_.carries(frame->tick, now) || !parts_.snapshots.prepare_datagram(frame, now))
-        return;
-    const SharedBytes shared =
-        parts_.snapshots.encode(frame, session_.frames().baselines_for(frame->tick));
+    if (!session_.carries(newest->tick, now)) return;
+    const FramePtr frame = parts_.snapshots.prepare_datagram(newest, now);
+    if (!frame) return;
+    const SharedBytes shared = parts_.snapshots.encode(frame, session_.frames().known());
+    if (!shared) return;
     if (!session_.fits(shared->size() + client_update_bytes_max, now)) return;
     const OutMessage message{encode_snapshot_header(client_update(), {}, shared->size()), shared};
     session_.send(message, frame->tick, now);
-    parts_.snapshots.on_sent_by_datagram(message, frame->tick, now);
+    parts_.snapshots.on_sent_by_datagram(message, *frame, now);
 }
 
 // A snapshot that is not acknowledged within two round trips is lost.

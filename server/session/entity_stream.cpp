@@ -7,7 +7,7 @@ namespace jostle::server {
 
 void EntityStream::send_list(const std::shared_ptr<const EntityList>& list) {
     ASSERT(list != nullptr);
-    send(*broadcast_.entity_list_change(list_, list));
+    send(*broadcast_.entity_list_change(list_, list, form_));
     list_ = list;
     if (log_) log_->on_list(list, baselines_.last());
 }

@@ -21,9 +21,11 @@ namespace jostle::server {
 class EntityStream {
 public:
     // `baselines`: the snapshots that the stream has carried.
-    EntityStream(BroadcastCache& broadcast, const BaselineTracker& baselines, Outbox& outbox)
-        : broadcast_(broadcast), baselines_(baselines), outbox_(outbox) {}
+    EntityStream(BroadcastCache& broadcast, const BaselineTracker& baselines, Outbox& outbox,
+                 EntityForm form = EntityForm::complete)
+        : broadcast_(broadcast), baselines_(baselines), outbox_(outbox), form_(form) {}
 
+    EntityForm form() const { return form_; }
     // The list that the client has; null: none.
     const std::shared_ptr<const EntityList>& list() const { return list_; }
     void set_list(std::shared_ptr<const EntityList> list) { list_ = std::move(list); }
@@ -42,6 +44,7 @@ private:
     BroadcastCache& broadcast_;
     const BaselineTracker& baselines_;
     Outbox& outbox_;
+    const EntityForm form_;
     SentLog* log_ = nullptr;
     std::shared_ptr<const EntityList> list_;
     std::set<std::uint64_t> geometry_;  // ids of the large shapes that were sent

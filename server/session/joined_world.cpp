@@ -23,6 +23,17 @@ int divider_of(double tick_hz, std::uint32_t wanted) {
     return static_cast<int>(std::ceil(tick_hz / wanted));
 }
 
+// The setting of the client takes precedence over that of the world, and this one over that of the
+// server.
+StreamPrecision precision_of(const Hello& hello, const scenes::SceneDescription& scene,
+                             const StreamSettings& settings) {
+    if (hello.precision) return granted(*hello.precision);
+    const scenes::StreamPrecision& world = scene.precision;
+    if (world.position != 0) return granted({{world.position, world.rotation}, world.far_factor});
+    return granted({{settings.position_precision_m, settings.rotation_precision_rad},
+                    settings.far_precision_factor});
+}
+
 // A client may acknowledge each snapshot with its own message, at any rate of the world.
 ClientLimits limits_with_acks(ClientLimits limits, double snapshot_hz) {
     limits.messages_per_second += snapshot_hz;
@@ -99,8 +110,11 @@ JoinedWorld::JoinedWorld(const Parts& parts, ClientId client,
       snapshots_({.context = parts.context,
                   .metrics = parts.metrics,
                   .broadcast = *broadcast_,
+                  .poses = broadcast_->poses(
+                      precision_of(hello, *host().properties().scene, parts.context.config.stream)),
                   .inputs = inputs_,
                   .outbox = parts.outbox,
+                  .overload = parts.peer.overload,
                   .sent_log = parts.resume.sent_log(),
                   .client = client},
                  hello, divider_),
@@ -148,7 +162,8 @@ Welcome JoinedWorld::welcome(const Frame& frame, Clock::time_point now) const {
             .tick_hz = host().hz(),
             .snapshot_hz = static_cast<std::uint32_t>(std::lround(host().hz() / divider_)),
             .ack_interval_ms = static_cast<std::uint32_t>(config.stream.ack_interval_ms),
-            .quant = broadcast_->snapshots().spec(),
+            .quant = snapshots_.poses().snapshots().spec(),
+            .precision = snapshots_.poses().precision(),
             .server_time_us = to_us(now),
             .epoch_us = to_us(world.epoch),
             .gravity = world.gravity,

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "server/auth/authorizer.h"
+#include "server/limits/overload_control.h"
 #include "server/world/world_host.h"
 
 namespace jostle::server {
@@ -19,6 +20,8 @@ struct Peer {
     // Called on any thread when a datagram arrived and the session should call take_datagrams()
     // soon. Empty: the transport does not support datagrams.
     std::function<void()> wake = {};
+    // Of the thread that serves the client; null: it is never overloaded. Outlives the session.
+    OverloadControl* overload = nullptr;
 };
 
 // Refers to strings of the host.

@@ -48,6 +48,7 @@ struct DisconnectedClient {
     SentLog sent;
     std::set<std::uint64_t> sent_geometry;
     std::uint64_t channel_kinds = 0;
+    StreamPrecision precision = {};
 
     // Another host continues the world: the snapshots that the client has are no longer baselines.
     void move_to(std::shared_ptr<BroadcastCache> replacement) {

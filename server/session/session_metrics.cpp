@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/session/session_metrics.h"
 
+#include <string>
 #include <utility>
 
 #include "jostle/base/check.h"
@@ -46,6 +47,7 @@ void SessionMetrics::left() {
     connected_client_ = nullptr;
     if (world_) world_->clients().Decrement();
     world_ = nullptr;
+    count_in_class(std::nullopt);
 }
 
 void SessionMetrics::refused(ErrorCode reason) {
@@ -68,14 +70,32 @@ void SessionMetrics::sent_snapshot(std::size_t bytes) {
     context_.metrics->snapshot_bytes.Increment(static_cast<double>(bytes));
 }
 
-void SessionMetrics::on_frame(const FlowControl& flow, std::uint32_t pending) {
-    if (connected_client_)
-        connected_client_->set_flow(flow.skipped() + pending, flow.round_trip_s());
+void SessionMetrics::encoded_snapshot() {
+    if (context_.metrics) context_.metrics->snapshot_encodings.Increment();
+}
+
+void SessionMetrics::on_frame(const SnapshotSchedule& schedule) {
+    const FlowControl& flow = schedule.flow();
+    if (connected_client_) connected_client_->set_flow(schedule.skipped(), flow.round_trip_s());
     if (!context_.metrics) return;
     const auto& skipped = context_.metrics->snapshots_skipped;
     count_more(skipped[SkipReason::window], flow.skipped(), counted_.window);
-    count_more(skipped[SkipReason::pending], pending, counted_.pending);
+    count_more(skipped[SkipReason::pending], schedule.skipped_pending(), counted_.pending);
     count_more(skipped[SkipReason::rate], flow.rate_skipped(), counted_.rate);
+    count_more(skipped[SkipReason::encodings], schedule.deferred(), counted_.encodings);
+    if (client_ != 0) count_in_class(flow.served_class());
+}
+
+// Nothing: the client left.
+void SessionMetrics::count_in_class(std::optional<int> number) {
+    if (!context_.metrics || number == counted_class_) return;
+    const auto size_of = [&](int of) -> prometheus::Gauge& {
+        const int divisor = Cadence::divisors[static_cast<std::size_t>(of)];
+        return context_.metrics->cadence_clients.Add({{"divisor", std::to_string(divisor)}});
+    };
+    if (counted_class_) size_of(*counted_class_).Decrement();
+    if (number) size_of(*number).Increment();
+    counted_class_ = number;
 }
 
 std::optional<std::string> SessionMetrics::kicked() const {

@@ -11,9 +11,9 @@
 #include <string>
 
 #include "server/limits/connected_clients.h"
-#include "server/limits/flow_control.h"
 #include "server/messages/out_message.h"
 #include "server/session/play_context.h"
+#include "server/session/snapshot_schedule.h"
 #include "server/world/command.h"
 #include "server/world/world_host.h"
 
@@ -34,15 +34,19 @@ public:
     void answered(std::span<const InputResult> results);
     void sent(const OutMessage& message, Clock::time_point now);
     void sent_snapshot(std::size_t bytes);
-    // After each frame. `pending`: number of frames skipped because a write was pending.
-    void on_frame(const FlowControl& flow, std::uint32_t pending);
+    // The poses of a frame were encoded.
+    void encoded_snapshot();
+    // After each frame.
+    void on_frame(const SnapshotSchedule& schedule);
 
     // Why an operator removed the client; nothing: it was not removed.
     std::optional<std::string> kicked() const;
 
 private:
+    void count_in_class(std::optional<int> number);
+
     struct Skips {
-        std::uint32_t window = 0, pending = 0, rate = 0;
+        std::uint32_t window = 0, pending = 0, rate = 0, encodings = 0;
     };
 
     PlayContext& context_;
@@ -51,6 +55,7 @@ private:
     ClientId client_ = 0;
     WorldMetrics* world_ = nullptr;
     Skips counted_;
+    std::optional<int> counted_class_;  // the cadence class that counts this client
 };
 
 }  // namespace jostle::server

@@ -19,7 +19,8 @@ Section* SnapshotSections::add(Arguments&&... arguments) {
 SnapshotSections::SnapshotSections(const Sources& sources, const Hello& hello)
     : client_update_(sources.inputs, sources.schedule) {
     if (hello.interest || hello.max_kbps != 0)
-        cells_ = add<CellsSection>(sources.broadcast, sources.entities, sources.codec, hello);
+        cells_ = add<CellsSection>(sources.broadcast, sources.poses, sources.entities,
+                                   sources.codec, hello);
     const WorldHost& host = sources.broadcast.host();
     const std::uint64_t motion = motion_channel(host.properties().channel_kinds);
     std::uint64_t kinds = requested_channels(host.properties().channel_kinds, hello.channels);

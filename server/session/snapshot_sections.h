@@ -26,6 +26,7 @@ public:
     struct Sources {
         PlayContext& context;
         BroadcastCache& broadcast;
+        PoseCache& poses;
         EntityStream& entities;
         InputIntake& inputs;
         const SnapshotSchedule& schedule;

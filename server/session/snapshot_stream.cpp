@@ -17,6 +17,8 @@ namespace {
 // Requests for keyframes within this period are ignored: further keyframes only cost the client
 // its bandwidth.
 constexpr auto keyframe_period = 250ms;
+// A frame that is older than the newest one by more than this number of ticks is not sent.
+constexpr std::uint32_t shared_frame_age_max = 2;
 
 // The highest codec that both sides support.
 snapshot::Codec codec_for(const Hello& hello, const StreamSettings& settings) {
@@ -29,10 +31,12 @@ snapshot::Codec codec_for(const Hello& hello, const StreamSettings& settings) {
 SnapshotStream::SnapshotStream(const Parts& parts, const Hello& hello, int divider)
     : parts_(parts),
       codec_(codec_for(hello, parts.context.config.stream)),
-      entities_(parts.broadcast, baselines_, parts.outbox),
-      schedule_(parts.context.config.stream, parts.broadcast.host().hz(), divider),
+      entities_(parts.broadcast, baselines_, parts.outbox,
+                hello.packed_entities ? EntityForm::packed : EntityForm::complete),
+      schedule_(parts.context.config.stream, parts.broadcast.host().hz(), divider, parts.overload),
       sections_({.context = parts.context,
                  .broadcast = parts.broadcast,
+                 .poses = *parts.poses,
                  .entities = entities_,
                  .inputs = parts.inputs,
                  .schedule = schedule_,
@@ -55,9 +59,10 @@ FramePtr SnapshotStream::on_enter() {
 
 std::optional<OutMessage> SnapshotStream::take_message(Clock::time_point now) {
     ASSERT(parts_.outbox.empty());
-    const FramePtr frame = parts_.broadcast.host().frame();
-    if (frame->tick != schedule_.last_frame()) on_frame(*frame, now);
+    const FramePtr newest = parts_.broadcast.host().frame();
+    if (newest->tick != schedule_.last_frame()) on_frame(*newest, now);
     schedule_.set_write_blocked(false);
+    const FramePtr frame = frame_to_send(newest);
     const bool by_datagram = datagrams_ && datagrams_->carries(frame->tick, now);
     if (!by_datagram && (!schedule_.is_due() || frame->tick <= newest_sent())) return std::nullopt;
     // The snapshot follows in a later call, from the frame that is newest then.
@@ -71,6 +76,17 @@ std::optional<OutMessage> SnapshotStream::take_message(Clock::time_point now) {
     return make_snapshot(frame, now);
 }
 
+// The frame that made the snapshot due, if it is still fresh: other clients of the class get the
+// same one. A client with results gets the newest frame, which contains their effects.
+FramePtr SnapshotStream::frame_to_send(const FramePtr& newest) const {
+    const std::uint32_t tick = schedule_.is_due() ? schedule_.due_tick() : 0;
+    if (tick == 0 || tick >= newest->tick || newest->tick - tick > shared_frame_age_max ||
+        !parts_.inputs.results().empty())
+        return newest;
+    const FramePtr shared = parts_.poses->snapshots().frame(tick);
+    return shared && tick > newest_sent() ? shared : newest;
+}
+
 bool SnapshotStream::send_entity_list(const FramePtr& frame) {
     if (frame->entity_list == entities_.list()) return false;
     entities_.send_list(frame->entity_list);
@@ -80,8 +96,8 @@ bool SnapshotStream::send_entity_list(const FramePtr& frame) {
 void SnapshotStream::on_frame(const Frame& frame, Clock::time_point now) {
     schedule_.on_frame(frame.tick);
     parts_.inputs.collect_results();
-    if (!schedule_.is_due() && has_changes(frame, now)) schedule_.request(frame.tick, now);
-    parts_.metrics.on_frame(schedule_.flow(), schedule_.skipped_pending());
+    if (!schedule_.is_due() && has_changes(frame, now)) schedule_.request(now);
+    parts_.metrics.on_frame(schedule_);
 }
 
 bool SnapshotStream::has_changes(const Frame& frame, Clock::time_point now) {
@@ -97,17 +113,35 @@ std::uint32_t SnapshotStream::newest_sent() const {
                       : baselines_.last();
 }
 
-OutMessage SnapshotStream::make_snapshot(const FramePtr& frame, Clock::time_point now) {
+// Only a world that moves tells whether frames were missed: a frame without changes wakes no
+// thread.
+void SnapshotStream::measure_send_delay(const Frame& frame, Clock::time_point now) {
+    const std::optional<std::uint32_t> missed = schedule_.ticks_missed();
+    if (!missed || frame.changed_at != frame.tick || frame.previous_changed_at + 1 < frame.tick)
+        return;
+    const double frame_age_s =
+        std::chrono::duration<double>(std::max(Clock::duration::zero(), now - frame.published))
+            .count();
+    schedule_.flow().on_send_delay(frame_age_s + *missed / parts_.broadcast.host().hz(), now);
+}
+
+std::optional<OutMessage> SnapshotStream::make_snapshot(const FramePtr& frame,
+                                                        Clock::time_point now) {
     if (datagrams_)
         if (auto baselines = datagrams_->take_stream_baselines())
             baselines_ = *std::move(baselines);
     ASSERT(frame->tick > baselines_.last());
+    // Before the sections, whose data counts as sent.
+    SharedBytes shared = has_cells() ? parts_.poses->snapshots().encoding(
+                                           frame, baselines_.baselines_for(frame->tick),
+                                           sections_.channel_kinds(), std::nullopt)
+                                     : encode(frame, baselines_);
+    if (!shared) return std::nullopt;
     SnapshotParts parts;
     sections_.append_optional(frame, now, parts);
     sections_.client_update().append(frame, now, parts);
-    SharedBytes shared = parts_.broadcast.snapshots().encoding(
-        frame, baselines_.baselines_for(frame->tick), parts.channel_kinds,
-        parts.has_poses ? std::optional(codec_) : std::nullopt);
+    ASSERT(parts.has_poses == !has_cells());
+    ASSERT(parts.channel_kinds == sections_.channel_kinds());
     std::size_t shared_bytes = shared->size();
     for (const SharedBytes& field : parts.shared_fields) shared_bytes += field->size();
     OutMessage message{encode_snapshot_header(parts.update, parts.fields, shared_bytes),
@@ -115,6 +149,7 @@ OutMessage SnapshotStream::make_snapshot(const FramePtr& frame, Clock::time_poin
     on_results_sent(frame->tick);
     baselines_.on_sent(frame->tick);
     if (datagrams_) datagrams_->on_sent_by_stream(frame->tick);
+    measure_send_delay(*frame, now);
     schedule_.on_sent(frame->tick, now);
     sections_.on_sent(message);
     parts_.metrics.sent_snapshot(message.size());
@@ -173,27 +208,31 @@ void SnapshotStream::use_datagrams(DatagramSession& datagrams) {
     entities_.record_in(nullptr);
 }
 
-bool SnapshotStream::prepare_datagram(const FramePtr& frame, Clock::time_point now) {
+FramePtr SnapshotStream::prepare_datagram(const FramePtr& newest, Clock::time_point now) {
     ASSERT(datagrams_ != nullptr);
-    if (frame->tick != schedule_.last_frame()) {
+    if (newest->tick != schedule_.last_frame()) {
         schedule_.set_write_blocked(false);
-        on_frame(*frame, now);
+        on_frame(*newest, now);
     }
-    if (!schedule_.is_due() || frame->tick <= datagrams_->frames().last_sent()) return false;
+    FramePtr frame = frame_to_send(newest);
+    if (!schedule_.is_due() || frame->tick <= datagrams_->frames().last_sent()) return nullptr;
     // The snapshot need not wait for the stream: clients skip entities that they do not know.
     send_entity_list(frame);
-    return true;
+    return frame;
 }
 
-SharedBytes SnapshotStream::encode(const FramePtr& frame,
-                                   const snapshot::BaselineFrames& baselines) {
-    return parts_.broadcast.snapshots().encoding(frame, baselines, sections_.channel_kinds(),
-                                                 codec_);
+SharedBytes SnapshotStream::encode(const FramePtr& frame, const BaselineTracker& known) {
+    SnapshotCache::Shared shared =
+        parts_.poses->snapshots().shared_encoding(frame, known, sections_.channel_kinds(), codec_);
+    if (shared.fresh) parts_.metrics.encoded_snapshot();
+    if (!shared.bytes) schedule_.defer();
+    return std::move(shared.bytes);
 }
 
-void SnapshotStream::on_sent_by_datagram(const OutMessage& snapshot, std::uint32_t tick,
+void SnapshotStream::on_sent_by_datagram(const OutMessage& snapshot, const Frame& frame,
                                          Clock::time_point now) {
-    schedule_.on_sent(tick, now);
+    measure_send_delay(frame, now);
+    schedule_.on_sent(frame.tick, now);
     parts_.metrics.sent(snapshot, now);
     parts_.metrics.sent_snapshot(snapshot.size());
 }
@@ -204,12 +243,14 @@ void SnapshotStream::suspend(DisconnectedClient& client) {
     client.baselines = std::move(baselines_);
     client.sent_geometry = entities_.take_geometry();
     client.channel_kinds = sections_.channel_kinds();
+    client.precision = poses().precision();
 }
 
 bool SnapshotStream::resume(DisconnectedClient& lost, SentLog::Known& known, std::uint32_t frame) {
     ASSERT(parts_.sent_log != nullptr);
     if (has_cells() || !lost.stream_resumable || !known.list ||
-        sections_.channel_kinds() != lost.channel_kinds || !lost.baselines.roll_back_to(frame))
+        sections_.channel_kinds() != lost.channel_kinds || poses().precision() != lost.precision ||
+        !lost.baselines.roll_back_to(frame))
         return false;
     baselines_ = std::move(lost.baselines);
     *parts_.sent_log = std::move(lost.sent);

@@ -7,6 +7,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <optional>
 
 #include "jostle/base/result.h"
@@ -34,9 +35,11 @@ public:
         PlayContext& context;
         SessionMetrics& metrics;
         BroadcastCache& broadcast;
+        std::shared_ptr<PoseCache> poses;
         InputIntake& inputs;
         Outbox& outbox;
-        SentLog* sent_log = nullptr;  // null: the session cannot be resumed
+        OverloadControl* overload = nullptr;  // of the thread; null: it is never overloaded
+        SentLog* sent_log = nullptr;          // null: the session cannot be resumed
         ClientId client = 0;
     };
     // `divider`: the client receives every divider-th tick.
@@ -54,17 +57,19 @@ public:
     Status set_interest(const Interest& interest);
     bool has_cells() const { return sections_.cells() != nullptr; }
     snapshot::Codec codec() const { return codec_; }
+    const PoseCache& poses() const { return *parts_.poses; }
 
     // --- datagrams ---
     // Snapshots go by datagram where possible. Call it before the first message.
     void use_datagrams(DatagramSession& datagrams);
     void stop_datagrams() { datagrams_ = nullptr; }
-    // Takes note of a new frame before a snapshot is sent by datagram. Returns true if a snapshot
-    // is due and newer than the last one.
-    bool prepare_datagram(const FramePtr& frame, Clock::time_point now);
-    // The shared part of a snapshot.
-    SharedBytes encode(const FramePtr& frame, const snapshot::BaselineFrames& baselines);
-    void on_sent_by_datagram(const OutMessage& snapshot, std::uint32_t tick, Clock::time_point now);
+    // Takes note of a new frame before a snapshot is sent by datagram. Returns the frame of the
+    // snapshot if one is due and newer than the last one, else null.
+    FramePtr prepare_datagram(const FramePtr& newest, Clock::time_point now);
+    // The shared part of a snapshot for a client that has the frames `known`. Null: the frame has
+    // its maximum of encodings, and the snapshot is no longer due.
+    SharedBytes encode(const FramePtr& frame, const BaselineTracker& known);
+    void on_sent_by_datagram(const OutMessage& snapshot, const Frame& frame, Clock::time_point now);
     // Newest tick considered; 0: none.
     std::uint32_t last_frame() const { return schedule_.last_frame(); }
     double round_trip_s() const { return schedule_.flow().round_trip_s(); }
@@ -80,7 +85,9 @@ private:
     bool has_changes(const Frame& frame, Clock::time_point now);
     bool send_entity_list(const FramePtr& frame);
     std::uint32_t newest_sent() const;
-    OutMessage make_snapshot(const FramePtr& frame, Clock::time_point now);
+    FramePtr frame_to_send(const FramePtr& newest) const;
+    void measure_send_delay(const Frame& frame, Clock::time_point now);
+    std::optional<OutMessage> make_snapshot(const FramePtr& frame, Clock::time_point now);
     std::optional<OutMessage> make_reply(const FramePtr& frame, Clock::time_point now);
     void on_results_sent(std::uint32_t tick);
 

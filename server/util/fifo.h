@@ -26,6 +26,10 @@ public:
         ASSERT(!empty());
         return items_[first_];
     }
+    T& back() {
+        ASSERT(!empty());
+        return items_.back();
+    }
     const T& back() const {
         ASSERT(!empty());
         return items_.back();

@@ -47,6 +47,7 @@ public:
         scene.name = origin_.name;
         scene.description = origin_.description;
         scene.hz = origin_.hz;
+        scene.precision = origin_.precision;
         scene.world = origin_.world;
         scene.world.gravity = world_.gravity();
         scene.world.joint_solver = world_.joint_solver();

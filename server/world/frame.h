@@ -51,8 +51,9 @@ struct ControlledEntityState {
 };
 
 struct Frame {
-    std::uint32_t tick = 0;  // from 1
-    Clock::time_point due;   // when the tick was due
+    std::uint32_t tick = 0;         // from 1
+    Clock::time_point due;          // when the tick was due
+    Clock::time_point published{};  // when clients could get it
     // Due time minus the ideal due time, which follows from the world's epoch and the tick number:
     // the total time of skipped ticks.
     std::int64_t late_us = 0;

@@ -386,6 +386,7 @@ std::shared_ptr<Frame> WorldHost::make_frame(Clock::time_point due, std::uint32_
 
 // Results follow the frame, so that a client finds a spawned body in the frame.
 void WorldHost::publish(const std::shared_ptr<Frame>& frame, bool sends_results) {
+    frame->published = Clock::now();
     world_.frame_history().put(frame, publisher_.listeners().streams.load() > 0);
     publisher_.set_frame(frame);
     if (sends_results)

@@ -37,6 +37,7 @@
 #include "tests/modules/ragdoll/gltf/gltf_skeleton.h"
 #include "tests/proto/snapshot/channel_motion.h"
 #include "tests/proto/snapshot/golden.h"
+#include "tests/proto/snapshot/golden_entities.h"
 #include "tests/support/tokens.h"
 
 namespace jostle::fuzz {
@@ -229,6 +230,13 @@ void write_frames(const fs::path& folder) {
     for (const snapshot::GoldenSequence& golden : snapshot::golden_sequences())
         for (const snapshot::Codec codec : {snapshot::Codec::bits, snapshot::Codec::range})
             decode.add(frames_of(golden, codec));
+    Seeds lists(folder, "entity_list_decode");
+    for (const snapshot::GoldenEntities& list : snapshot::golden_entity_lists()) {
+        if (list.prototypes > 255) continue;  // one byte in a record
+        const auto packed = snapshot::encode_entity_list(list.entities, list.prototypes);
+        lists.add(record(static_cast<std::uint8_t>(list.prototypes),
+                         {reinterpret_cast<const char*>(packed.data()), packed.size()}));
+    }
     Seeds channels(folder, "channel_decode");
     snapshot::ChangingChannels changing(7);
     for (int k = 0; k < 8; k++) {

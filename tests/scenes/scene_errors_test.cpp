@@ -151,6 +151,10 @@ TEST(SceneErrors, errors_name_line_and_field) {
          "line 2: world.hz: 1 is out of range; it must be from 4 to 1000"},
         {"{\"name\": \"a\",\n \"world\": {\"tolerance\": -1}}",
          "line 2: world.tolerance: -1 is out of range; it must be from 1e-09 to 1000"},
+        {"{\"name\": \"a\",\n \"world\": {\"precision\": {\"position\": 5, \"rotation\": 0.1}}}",
+         "line 2: world.precision.position: 5 is out of range; it must be from 0.0001 to 1"},
+        {"{\"name\": \"a\",\n \"world\": {\"precision\": {\"position\": 0.1}}}",
+         "line 2: world.precision.rotation: 0 is out of range; it must be from 0.0002 to 0.5"},
         {"{\"name\": \"a\",\n \"world\": {\"substeps\": -1}}",
          "line 2: world.substeps: must be an integer from 0 to 4294967295"},
         {"{\"name\": \"a\",\n \"bodies\": [\n  {\"shapes\": [{\"sphere\": {\"radius\": 1}}],\n"
@@ -306,12 +310,12 @@ TEST(SceneErrors, rejects_unknown_and_duplicate_modules) {
     test::register_turntable();
     expect_refused(
         with_module("\n\"tag\": \"submarine\""),
-        "line 6: modules[0].tag: is \"submarine\"; it must be one of "
+        "line 6: modules[0].tag: is \"submarine\"; it must be one of asteroids, "
         "boat, character, cloth, crowd, destruction, fields, hovercraft, katamari, particles, "
         "ragdoll, rope, turntable, vehicle");
     expect_refused(
         with_module("\"settings\": {}"),
-        "modules[0].tag: is \"\"; it must be one of boat, "
+        "modules[0].tag: is \"\"; it must be one of asteroids, boat, "
         "character, cloth, crowd, destruction, fields, hovercraft, katamari, particles, ragdoll, "
         "rope, turntable, vehicle");
     expect_refused(
@@ -323,7 +327,8 @@ TEST(SceneErrors, rejects_unknown_and_duplicate_modules) {
     ASSERT_FALSE(built.ok());
     EXPECT_EQ(
         built.error().message,
-        "modules[0] 'submarine': module \"submarine\" is not registered (registered: boat, "
+        "modules[0] 'submarine': module \"submarine\" is not registered (registered: asteroids, "
+        "boat, "
         "character, cloth, crowd, destruction, fields, hovercraft, katamari, particles, ragdoll, "
         "rope, turntable, vehicle); "
         "call register_module() first");

@@ -75,6 +75,9 @@ TEST(SceneFile, catalogue_scenes_round_trip_bit_identically) {
         ASSERT_TRUE(back.ok()) << entry.name << ": " << back.error().message;
         EXPECT_EQ(back->name, scene.name);
         EXPECT_EQ(back->hz, scene.hz);
+        EXPECT_EQ(back->precision.position, scene.precision.position);
+        EXPECT_EQ(back->precision.rotation, scene.precision.rotation);
+        EXPECT_EQ(back->precision.far_factor, scene.precision.far_factor);
         const auto a = build_scene(scene), b = build_scene(*back);
         ASSERT_TRUE(a.ok() && b.ok());
         EXPECT_EQ(physics::first_difference(a->world, b->world).value_or(""), "") << entry.name;

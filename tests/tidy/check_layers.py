@@ -18,7 +18,7 @@ PHYSICS = ["physics/src/foundation", "physics/src/math", "physics/src/geometry",
            "physics/src/constraint_graph", "physics/src/state"]
 MODULES = ["modules/core", "modules/fields", "modules/character", "modules/particles", "modules/ragdoll", "modules/vehicle",
            "modules/destruction", "modules/crowd", "modules/rope", "modules/cloth"]
-SERVER_LOW = ["server/util", "server/config", "server/metrics", "server/auth", "server/tls"]
+SERVER_LOW = ["server/util", "server/config", "server/forwarding", "server/metrics", "server/auth", "server/tls"]
 GENERATED = "generated"  # *.pb.h
 # Folder (the longest prefix wins) -> layers that it may include besides BASE.
 LAYERS = {
@@ -57,10 +57,11 @@ LAYERS = {
     "scenes/src": [PUBLIC, "scenes/include", "examples/hovercraft", "modules/convex_decomposition", *MODULES, GENERATED],
     "server/util": [],
     "server/config": ["server/util"],
+    "server/forwarding": ["server/util"],
     "server/metrics": ["server/util"],
     "server/auth": ["server/util", "server/config"],
     "server/tls": ["server/util", "server/config"],
-    "server/grpc_proxy": ["server/util", "server/config", "server/metrics", "server/tls", "proto/http2", PUBLIC],
+    "server/grpc_proxy": ["server/util", "server/config", "server/forwarding", "server/metrics", "server/tls", "proto/http2", PUBLIC],
     "server/storage": ["server/util"],
     "server/udp": ["server/util", "server/config", "server/metrics", "proto/datagram"],
     "server/world": [*SERVER_LOW, PUBLIC, "scenes/include", "modules/core", "modules/crowd", "modules/destruction", "modules/fields",
@@ -79,7 +80,8 @@ LAYERS = {
                     "server/messages", "server/session", "server/services", "proto/grpc_status", GENERATED],
     "server/http": [*SERVER_LOW, "server/world", "server/limits", "server/replication", "server/messages", "server/session",
                     "server/services", "scenes/include", GENERATED],
-    "server/app": [*SERVER_LOW, "server/grpc_proxy", "server/udp", "server/world", "server/recovery", "server/storage",
+    "server/grpc_web": [*SERVER_LOW, "server/grpc", "server/http", "server/services", GENERATED],
+    "server/app": [*SERVER_LOW, "server/grpc_web", "server/grpc_proxy", "server/udp", "server/world", "server/recovery", "server/storage",
                    "server/limits", "server/replication", "server/messages", "server/session", "server/services",
                    "server/grpc", "server/http", "scenes/include", GENERATED],
     "server": ["server/util", "server/config", "server/app", "scenes/include"],
@@ -99,7 +101,7 @@ LAYERS = {
                      "server/util", "server/storage", "server/world", "server/recovery", GENERATED],
     "tools/ctl": ["tools/common", "clients/cpp/core", "clients/cpp/cli", "proto/grpc_status", "scenes/include",
                   "server/storage", GENERATED],
-    "tools/load": ["tools/common", "clients/cpp/core", "clients/cpp/cli", "clients/bot", "proto/http2", GENERATED],
+    "tools/load": ["tools/common", "clients/cpp/core", "clients/cpp/cli", "clients/bot", "proto/http2", "proto/snapshot", GENERATED],
     "bench": [PUBLIC, *PHYSICS, "physics/src/constraints", "physics/src/serialization", "physics/src/stages",
               "physics/src/world", *MODULES, "proto/snapshot", "scenes/include", "server/recovery", "server/storage",
               "server/util", "server/world", "tools/analysis", "tools/common", "tools/load", GENERATED],

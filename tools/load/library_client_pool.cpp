@@ -51,8 +51,10 @@ void LibraryClientThread::join_due(Clock::time_point now) {
                                        .security = options_.security,
                                        .world = options_.world,
                                        .name = "load " + std::to_string(number + 1),
+                                       .snapshot_hz = options_.snapshot_hz,
                                        .max_kbps = options_.max_kbps,
                                        .interest = options_.interest_of(number),
+                                       .precision = options_.precision,
                                        .datagrams = options_.datagrams},
                  line_for(options_.script, number), static_cast<std::uint32_t>(number + 1)),
              {}});

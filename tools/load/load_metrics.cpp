@@ -46,6 +46,8 @@ void LoadMetrics::merge(const LoadMetrics& other) {
     inputs_sent += other.inputs_sent;
     inputs_applied += other.inputs_applied;
     errors += other.errors;
+    rendered += other.rendered;
+    frozen += other.frozen;
     if (last_error.empty()) last_error = other.last_error;
     seconds = std::max(seconds, other.seconds);
     cpu_seconds += other.cpu_seconds;

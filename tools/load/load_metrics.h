@@ -25,6 +25,8 @@ struct LoadMetrics {
     // Streams that ended, malformed messages and rejected valid inputs, since the start of the run.
     std::uint64_t errors = 0;
     std::string last_error;
+    // Rendered frames of decoding passive clients, and those that were frozen or jumped.
+    std::uint64_t rendered = 0, frozen = 0;
     double seconds = 0;      // duration of the measurement
     double cpu_seconds = 0;  // of the thread
 

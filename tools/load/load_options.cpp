@@ -15,4 +15,12 @@ std::optional<client::AreaOfInterest> LoadOptions::interest_of(int number) const
                                   interest_radius};
 }
 
+// Multiples of the golden ratio: the rates of any number of clients are evenly distributed.
+double LoadOptions::read_rate_of(int number) const {
+    if (read_rate == 0 || read_rate_max == 0) return read_rate;
+    constexpr double golden_ratio = 1.61803398874989485;
+    const double turns = golden_ratio * (number + 1);
+    return read_rate + (read_rate_max - read_rate) * (turns - std::floor(turns));
+}
+
 }  // namespace jostle::load

@@ -36,6 +36,8 @@ The measurement starts when all clients have joined and --settle has passed. The
   decoded_share                     share of the snapshots that were decoded and verified by CRC
   age_ms                            from the due time of a tick until its snapshot was read
                                     (library clients: decoded)
+  frozen_share                      share of the rendered frames that showed nothing new, or jumped,
+                                    because snapshots were late (decoding passive clients)
   gap_ms                            between successive snapshots of a client (passive clients)
   result_delay_ms                   from an input until its result (passive clients)
   effect_delay_ms                   from an input until the first snapshot of the tick that applied
@@ -59,6 +61,7 @@ struct Flags {
     std::string script, json;
     bool passive = false, websocket = false;
     int server_pid = 0;
+    std::vector<double> precision;  // metres, radians and the factor of distant cells
     LoadThresholds plan;
 };
 
@@ -94,6 +97,18 @@ void add_flags(CLI::App& app, Flags& flags) {
         ->type_name("KBIT/S")
         ->check(CLI::Range(16, 1000000).description(""))
         ->group("Clients");
+    app.add_option("--snapshot-hz", load.snapshot_hz,
+                   "Request this snapshot rate [default: the tick rate of the world; 1 to 1000]")
+        ->type_name("HZ")
+        ->check(CLI::Range(1, 1000).description(""))
+        ->group("Clients");
+    app.add_option("--precision", flags.precision,
+                   "Request poses within METRES and RADIANS, coarser by FACTOR beyond half of the\n"
+                   "radius of interest [default: the precision of the world]")
+        ->type_name("METRES,RADIANS[,FACTOR]")
+        ->delimiter(',')
+        ->expected(2, 3)
+        ->group("Clients");
     CLI::Option* datagrams =
         app.add_flag("--datagrams", load.datagrams,
                      "Receive snapshots as datagrams if the server supports them");
@@ -113,6 +128,13 @@ void add_flags(CLI::App& app, Flags& flags) {
         ->group("Passive clients");
     app.add_option("--read-rate", load.read_rate,
                    "Read N messages per second [default: unlimited; 0.1 to 1000]")
+        ->type_name("N")
+        ->needs(passive)
+        ->check(CLI::Range(0.1, 1000.0).description(""))
+        ->group("Passive clients");
+    app.add_option("--read-rate-max", load.read_rate_max,
+                   "Spread the read rates of the clients from --read-rate to N\n"
+                   "[default: all are equal; 0.1 to 1000]")
         ->type_name("N")
         ->needs(passive)
         ->check(CLI::Range(0.1, 1000.0).description(""))
@@ -174,6 +196,13 @@ jostle::Status finish(Flags& flags) {
     if (flags.passive && load.security.tls)
         return jostle::invalid_argument(
             "--passive does not support TLS; omit --tls, --ca and --cert");
+    if (load.read_rate_max != 0 && load.read_rate_max < load.read_rate)
+        return jostle::invalid_argument("--read-rate-max must not be below --read-rate");
+    if (load.read_rate_max != 0 && load.read_rate == 0)
+        return jostle::invalid_argument("--read-rate-max requires --read-rate");
+    if (flags.precision.size() >= 2)
+        load.precision = {flags.precision[0], flags.precision[1],
+                          flags.precision.size() > 2 ? flags.precision[2] : 1};
     if (flags.websocket) load.transport = Transport::websocket;
     if (!raise_socket_limit(load.clients))
         return jostle::invalid_argument(

@@ -75,6 +75,7 @@ void PassiveClient::on_event(std::span<std::uint8_t> scratch, Clock::time_point 
 void PassiveClient::tick(Clock::time_point now) {
     if (closed_ || socket_ < 0) return;
     read_waiting(now);
+    protocol_.render(now);
     send_due(now);
     flush();
     if (!closed_) update_epoll();
@@ -110,7 +111,7 @@ void PassiveClient::on_message(Bytes message) {
 void PassiveClient::read_waiting(Clock::time_point now) {
     while (!waiting_.empty() && now >= next_read_) {
         const auto period = std::chrono::duration_cast<Clock::duration>(
-            std::chrono::duration<double>(1 / plan_.read_rate));
+            std::chrono::duration<double>(1 / protocol_.options().read_rate));
         // A pause does not allow faster reading afterwards.
         next_read_ = (now - next_read_ < period ? next_read_ : now) + period;
         const std::string message = std::move(waiting_.front());

@@ -64,7 +64,10 @@ PassiveClientThread::Member PassiveClientThread::make_member(int number, bool ha
         .decodes = is_selected(number, plan_.decode_ratio) || (plays && has_view),
         .ack_every = plan_.ack_every,
         .interest = plan_.interest_of(number),
-        .max_kbps = plan_.max_kbps};
+        .max_kbps = plan_.max_kbps,
+        .read_rate = plan_.read_rate_of(number),
+        .snapshot_hz = plan_.snapshot_hz,
+        .precision = plan_.precision};
     Member member{
         .client = std::make_unique<PassiveClient>(plan_, std::move(options), epoll_, metrics_),
         .behaviour = {},

@@ -5,6 +5,8 @@
 #include <cmath>
 #include <utility>
 
+#include "jostle/snapshot/frame_codec.h"
+
 namespace jostle::load {
 
 using namespace std::chrono_literals;
@@ -15,6 +17,10 @@ constexpr std::uint32_t protocol_version = 1;
 constexpr int initial_pings = 3;  // at short intervals, for a quick clock estimate
 constexpr auto initial_ping_period = 100ms;
 constexpr auto ping_period = 5s;
+constexpr auto render_period = 16'667us;
+// The client library extrapolates for this time beyond the newest snapshot, then it holds.
+constexpr std::int64_t extrapolation_max_us = 50'000;
+constexpr std::int64_t jump_us = 500'000;  // the rendered time jumped
 // Maximum delay of an acknowledgement if the server does not request another one.
 constexpr auto default_ack_delay = 150ms;
 constexpr int default_ack_every = 6;
@@ -98,12 +104,27 @@ void PassiveClientProtocol::on_snapshot(Bytes bytes, Clock::time_point now) {
         metrics_.gap.add(
             std::chrono::duration_cast<std::chrono::microseconds>(now - *last_snapshot_).count());
     last_snapshot_ = now;
+    if (options_.decodes && tick_us_ > 0) {
+        newest_due_us_ = due_us(frame_, late);
+        render_clock_.on_frame(newest_due_us_, static_cast<std::int64_t>(client::to_us(now)));
+    }
     if (clock_.ready() && tick_us_ > 0)
         metrics_.add_age(server_us(now) - due_us(frame_, late), now);
     if (!options_.spectator) {
         record_effect_delays(frame_, now);
         on_client_update(own, now);
     }
+}
+
+void PassiveClientProtocol::render(Clock::time_point now) {
+    if (newest_due_us_ == 0 || now < next_render_) return;
+    next_render_ = std::max(next_render_ + render_period, now);
+    const std::int64_t before_us = render_clock_.render_time_us();
+    const std::int64_t shown_us =
+        render_clock_.advance(static_cast<std::int64_t>(client::to_us(now)));
+    metrics_.rendered++;
+    const bool is_held = shown_us > newest_due_us_ + extrapolation_max_us;
+    metrics_.frozen += is_held || shown_us - before_us > jump_us ? 1 : 0;
 }
 
 // See WorldView::times_of(). `late` is zig-zag encoded: 0, -1, 1, -2, ...
@@ -181,7 +202,7 @@ void PassiveClientProtocol::decode(Bytes bytes) {
     Status applied;
     if (message.has_welcome()) view_->begin(message.welcome());
     if (message.has_geometry()) applied = view_->apply(message.geometry());
-    if (message.has_entity_update()) view_->apply(message.entity_update());
+    if (message.has_entity_update()) applied = view_->apply(message.entity_update());
     if (message.has_snapshot()) {
         applied = view_->apply(message.snapshot());
         metrics_.decoded += applied.ok() ? 1 : 0;
@@ -203,6 +224,15 @@ std::optional<std::string_view> PassiveClientProtocol::take_message(Clock::time_
         hello.set_token(options_.token);
         hello.set_spectator(options_.spectator);
         hello.set_max_kbps(options_.max_kbps);
+        hello.set_packed_entities(true);
+        hello.set_snapshot_hz(options_.snapshot_hz);
+        // As the clients of players: the cost of the server and the bytes depend on it.
+        hello.set_codec(static_cast<std::uint32_t>(snapshot::newest_codec));
+        if (options_.precision) {
+            hello.mutable_precision()->set_position(options_.precision->position);
+            hello.mutable_precision()->set_rotation(options_.precision->rotation);
+            hello.mutable_precision()->set_far_factor(options_.precision->far_factor);
+        }
         if (options_.interest) {
             hello.mutable_interest()->mutable_focus()->set_x(options_.interest->x);
             hello.mutable_interest()->mutable_focus()->set_z(options_.interest->z);

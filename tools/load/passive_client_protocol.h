@@ -13,6 +13,7 @@
 
 #include "jostle/client/client_options.h"
 #include "jostle/client/clock_sync.h"
+#include "jostle/client/render_clock.h"
 #include "jostle/client/world_view.h"
 #include "jostle/v1/play.pb.h"
 #include "tools/load/load_metrics.h"
@@ -29,6 +30,9 @@ struct PassiveClientOptions {
     int ack_every = 0;  // snapshots per ack; 0: at the interval of the Welcome
     std::optional<client::AreaOfInterest> interest = {};  // nothing: the whole world
     std::uint32_t max_kbps = 0;                           // 0: no limit
+    double read_rate = 0;                                 // messages per second; 0: unlimited
+    std::uint32_t snapshot_hz = 0;                        // 0: the tick rate of the world
+    std::optional<client::Precision> precision = {};      // nothing: that of the world
 };
 
 class PassiveClientProtocol {
@@ -41,6 +45,10 @@ public:
     // Returns the next message to send, if one is due. The bytes are valid until the next call.
     std::optional<std::string_view> take_message(Clock::time_point now);
     void play(const std::vector<v1::Input>& inputs);
+    // Renders a frame of a decoding client, at most 60 per second: counts the frames that show
+    // nothing new because no snapshot of their time has arrived.
+    void render(Clock::time_point now);
+    const PassiveClientOptions& options() const { return options_; }
 
     bool joined() const { return joined_; }
     std::uint32_t client_id() const { return client_id_; }
@@ -102,6 +110,10 @@ private:
     std::uint32_t frame_ = 0;  // of the newest snapshot
     std::optional<Clock::time_point> last_snapshot_;
     bool need_keyframe_ = false;
+
+    client::RenderClock render_clock_;  // of a decoding client
+    std::int64_t newest_due_us_ = 0;    // due time of the newest snapshot
+    Clock::time_point next_render_{};
 
     v1::InputBatch batch_;
     std::uint32_t next_sequence_ = 1;

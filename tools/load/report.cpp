@@ -53,6 +53,8 @@ Report make_report(const LoadMetrics& f, int clients) {
         report.snapshot_bytes = static_cast<double>(f.snapshot_bytes) / snapshots;
         report.decoded_share = static_cast<double>(f.decoded) / snapshots;
     }
+    if (f.rendered > 0)
+        report.frozen_share = static_cast<double>(f.frozen) / static_cast<double>(f.rendered);
     if (f.messages > 0) report.load_cpu_us = 1e6 * f.cpu_seconds / static_cast<double>(f.messages);
     for (const Histogram& window : f.age_windows)
         report.age_windows_ms.push_back(percentiles_of(window));
@@ -70,8 +72,8 @@ std::string to_text(const Report& r) {
     if (r.messages_per_second_per_client > 0)
         text += line("messages_per_second_per_client", r.messages_per_second_per_client, 1);
     if (r.snapshot_bytes > 0) text += line("snapshot_bytes", r.snapshot_bytes, 0);
-    text += line("decoded_share", r.decoded_share, 3) + percentiles_line("age_ms", r.age_ms) +
-            percentiles_line("gap_ms", r.gap_ms) +
+    text += line("decoded_share", r.decoded_share, 3) + line("frozen_share", r.frozen_share, 4) +
+            percentiles_line("age_ms", r.age_ms) + percentiles_line("gap_ms", r.gap_ms) +
             percentiles_line("result_delay_ms", r.result_delay_ms) +
             percentiles_line("effect_delay_ms", r.effect_delay_ms);
     if (r.age_windows_ms.size() > 1)
@@ -100,6 +102,7 @@ std::string to_json(const Report& r) {
         {"messages_per_second_per_client", r.messages_per_second_per_client},
         {"snapshot_bytes", r.snapshot_bytes},
         {"decoded_share", r.decoded_share},
+        {"frozen_share", r.frozen_share},
         {"age_ms_p50", r.age_ms.p50},
         {"age_ms_p99", r.age_ms.p99},
         {"age_ms", percentiles_json(r.age_ms)},

@@ -20,6 +20,7 @@ struct Report {
     double messages_per_second_per_client = 0;
     double snapshot_bytes = 0;  // mean; 0: not measured
     double decoded_share = 0;   // share of the snapshots whose CRC was verified
+    double frozen_share = 0;    // of the rendered frames; 0: none was rendered
     Percentiles age_ms, gap_ms, result_delay_ms, effect_delay_ms;
     std::vector<Percentiles> age_windows_ms;  // in intervals of 10 s
     std::uint64_t errors = 0;

@@ -81,6 +81,8 @@ jostle::client::ClientOptions options_of(const Flags& flags, Recorder& recorder)
             .spectator = true,
             .events = !flags.no_events,
             .channels = {"*"},
+            // Earlier versions of jostle-replay read the recording.
+            .packed_entities = false,
             .reconnect = false,
             .on_message = [&recorder](const std::string& bytes, Clock::time_point now) {
                 recorder.on_message(bytes, now);

@@ -9,6 +9,7 @@
 
 #include "jostle/modules/cloth.h"
 #include "jostle/modules/settings.h"
+#include "jostle/physics/scalar.h"
 #include "modules/cloth/src/cloth_checks.h"
 #include "modules/cloth/src/cloth_data.h"
 
@@ -126,11 +127,12 @@ void Cloths::publish(const World&, ChannelWriter& channels) const {
         // A torn cloth is a mesh of the triangles that are left.
         const bool whole = cloth->def.triangles.empty() &&
                            std::ranges::count(sheet.torn(), 0) == std::ssize(sheet.torn());
-        PointObject object{.key = cloth->key.number,
-                           .step = published_step,
-                           .color = cloth->def.color,
-                           .form = whole ? PointForm::grid : PointForm::triangles,
-                           .positions = positions};
+        PointObject object{
+            .key = cloth->key.number,
+            .step = clamp(cloth->def.thickness / 2, published_step_min, published_step_max),
+            .color = cloth->def.color,
+            .form = whole ? PointForm::grid : PointForm::triangles,
+            .positions = positions};
         if (whole)
             object.columns = cloth->def.grid.columns;
         else if (!triangles.empty())

@@ -10,6 +10,16 @@ constexpr std::uint32_t no_baseline = 255, same_distance = 0;
 
 }  // namespace
 
+BaselineFrames predictable(std::uint32_t frame, const BaselineFrames& baselines,
+                           const QuantSpec& spec) {
+    constexpr std::int32_t exact_at_any_spacing = 511;
+    constexpr std::uint32_t ratio_max = 50;
+    if (baselines.baseline2 == 0 || spec.rotation_component <= exact_at_any_spacing ||
+        frame - baselines.baseline <= ratio_max * (baselines.baseline - baselines.baseline2))
+        return baselines;
+    return {.baseline = baselines.baseline};
+}
+
 std::uint32_t encode_baseline_frames(std::uint32_t frame, const BaselineFrames& baselines) {
     if (baselines.baseline == 0) return 0;
     const std::uint32_t first = frame - baselines.baseline;

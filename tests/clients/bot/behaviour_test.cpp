@@ -36,7 +36,7 @@ public:
             entity.set_name(scene_.bodies[k].name);
             entity.set_controllable(module_of(k + 1) != nullptr);
         }
-        view_.apply(entity_update);
+        EXPECT_TRUE(view_.apply(entity_update).ok());
     }
 
     void run(double seconds) {

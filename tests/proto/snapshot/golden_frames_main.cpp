@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 //
 // golden_frames FOLDER: writes every golden sequence to FOLDER/NAME.bin and FOLDER/range_NAME.bin,
-// the channels to FOLDER/channels.jchn and the point objects to FOLDER/points.jpnt.
+// the channels to FOLDER/channels.jchn, the point objects to FOLDER/points.jpnt and the entity
+// lists to FOLDER/entities.jent.
 #include <cstdio>
 #include <fstream>
 
 #include "tests/proto/snapshot/channel_motion.h"
 #include "tests/proto/snapshot/golden.h"
+#include "tests/proto/snapshot/golden_entities.h"
 #include "tests/proto/snapshot/golden_points.h"
 
 namespace {
@@ -32,6 +34,7 @@ int main(int argc, char** argv) {
     const std::string folder = std::string(argv[1]) + "/";
     bool written = write(folder + "channels.jchn", jostle::snapshot::golden_channels());
     written = write(folder + "points.jpnt", jostle::snapshot::golden_point_file()) && written;
+    written = write(folder + "entities.jent", jostle::snapshot::golden_entity_file()) && written;
     using jostle::snapshot::Codec;
     for (const auto& sequence : jostle::snapshot::golden_sequences())
         for (const Codec codec : {Codec::bits, Codec::range})

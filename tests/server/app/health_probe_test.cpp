@@ -195,6 +195,13 @@ TEST(HealthProbe, probes_wildcard_listeners_on_loopback) {
     config.tls.certificate = "/nowhere/tls.crt";
     EXPECT_EQ(health_target(config).error().message,
               "tls.certificate: cannot read /nowhere/tls.crt; must be a readable PEM file");
+    config.tls.certificate.clear();
+    config.trusted_proxies = {"127.0.0.1"};
+    EXPECT_TRUE(health_target(config).ok());
+    config.proxy_protocol = {"http"};
+    EXPECT_THAT(health_target(config).error().message, HasSubstr("to the http port must begin"));
+    config.trusted_proxies = {"10.0.0.1"};
+    EXPECT_TRUE(health_target(config).ok()) << "this machine is no proxy";
 }
 
 // gRPC's health service, serving.

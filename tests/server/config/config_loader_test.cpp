@@ -111,7 +111,7 @@ TEST(Config, example_file_contains_the_defaults) {
     EXPECT_EQ(config.world.clients_max, expected.world.clients_max);
     EXPECT_EQ(config.tick.catch_up_ticks_max, expected.tick.catch_up_ticks_max);
     EXPECT_EQ(config.stream.client_timeout_seconds, expected.stream.client_timeout_seconds);
-    EXPECT_EQ(config.stream.ack_window_max, expected.stream.ack_window_max);
+    EXPECT_EQ(config.stream.ack_window_max_ms, expected.stream.ack_window_max_ms);
     EXPECT_EQ(config.insecure, expected.insecure);
     EXPECT_EQ(config.tls, expected.tls);
     EXPECT_EQ(config.auth, expected.auth);

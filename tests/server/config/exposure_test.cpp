@@ -77,6 +77,20 @@ TEST(Exposure, anonymous_role_depends_on_exposure) {
     EXPECT_EQ(anonymous_role(config), "viewer");
 }
 
+// A proxy on the same machine connects clients of other machines to a loopback listener.
+TEST(Exposure, trusted_proxies_expose_loopback_listeners) {
+    Config config;
+    config.trusted_proxies = {"127.0.0.1"};
+    EXPECT_EQ(anonymous_role(config), "director");
+    EXPECT_NE(error_of(check_exposure(config)).message.find("trusted_proxies is set"),
+              std::string::npos);
+    config.auth.anonymous_role = "player";
+    EXPECT_TRUE(check_exposure(config).ok()) << "the proxy may terminate TLS";
+    config.auth.anonymous_role.clear();
+    config.insecure = true;
+    EXPECT_TRUE(check_exposure(config).ok());
+}
+
 TEST(Config, rejects_contradictory_access_settings) {
     const auto fault_of = [](auto change) {
         Config config = with_tls_and_tokens();
@@ -99,6 +113,21 @@ TEST(Config, rejects_contradictory_access_settings) {
         fault_of([](Config& c) { c.allowed_hosts = {"https://play.example.org"}; }),
         "allowed_hosts: \"https://play.example.org\" is not a host name; write only the name, such "
         "as play.example.org");
+    EXPECT_EQ(
+        fault_of([](Config& c) { c.allowed_origins = {"play.example.org"}; }),
+        "allowed_origins: \"play.example.org\" is not an origin; write scheme and host without "
+        "a path, such as https://play.example.org");
+    EXPECT_EQ(fault_of([](Config& c) { c.trusted_proxies = {"10.0.0.1/8"}; }).substr(0, 60),
+              "trusted_proxies: \"10.0.0.1/8\" is not a network: the address ");
+    EXPECT_EQ(fault_of([](Config& c) { c.forwarded_header = "x-real-ip"; }),
+              "forwarded_header is \"x-real-ip\"; it must be x-forwarded-for or forwarded");
+    EXPECT_EQ(fault_of([](Config& c) {
+                  c.trusted_proxies = {"10.0.0.1"};
+                  c.proxy_protocol = {"admin"};
+              }),
+              "proxy_protocol: \"admin\" is not a port; the list may contain grpc and http");
+    EXPECT_EQ(fault_of([](Config& c) { c.proxy_protocol = {"http"}; }),
+              "proxy_protocol is set without trusted_proxies; list the addresses of the proxies");
     EXPECT_EQ(fault_of([](Config& c) { c.auth.leeway_seconds = 301; }),
               "auth.leeway_seconds is 301; it must be from 0 to 300");
     EXPECT_EQ(fault_of([](Config& c) { c.quota.joins_per_minute = 0; }),

@@ -11,9 +11,9 @@
 #include "jostle/scenes/catalog.h"
 #include "jostle/v1/world.grpc.pb.h"
 #include "server/auth/access_table.h"
-#include "server/grpc/call_method.h"
 #include "server/grpc/grpc_server.h"
 #include "server/http/http_routes.h"
+#include "server/services/call_method.h"
 #include "tests/support/temp_folder.h"
 #include "tests/support/tokens.h"
 

@@ -4,7 +4,12 @@
 // from the world thread to the views of the clients.
 #include "server/grpc/grpc_server.h"
 
+#include <fcntl.h>
+#include <grpcpp/create_channel.h>
+#include <grpcpp/create_channel_posix.h>
 #include <gtest/gtest.h>
+#include <netinet/in.h>
+#include <sys/socket.h>
 
 #include <algorithm>
 #include <iterator>
@@ -12,7 +17,8 @@
 
 #include "jostle/client/client.h"
 #include "jostle/scenes/catalog.h"
-#include "server/grpc/call_method.h"
+#include "jostle/v1/world.grpc.pb.h"
+#include "server/services/call_method.h"
 #include "server/services/query_control.h"
 #include "server/services/world_control.h"
 #include "tests/server/server_parts.h"
@@ -137,6 +143,83 @@ TEST_F(GrpcServerTest, sends_only_requested_channel_kinds) {
         EXPECT_EQ(view.channel_kinds().size(), 3u)
             << "the client must still know all channel kinds";
     });
+}
+
+// A server whose only method records the address of its caller.
+class ProxiedGrpcTest : public testing::Test, protected ServerParts {
+protected:
+    ProxiedGrpcTest() : ServerParts(4, 4) {}
+
+    CallMethod list_method() {
+        return unary_method<v1::ListWorldsRequest, v1::ListWorldsResponse>(
+            "/jostle.v1.WorldService/ListWorlds", CallWork::quick, 4096,
+            [this](const CallContext& call, const auto&, auto&) -> Status {
+                address = call.address;
+                return {};
+            });
+    }
+    // The address of the caller of ListWorlds with this metadata.
+    std::string address_of(const std::shared_ptr<grpc::Channel>& channel,
+                           const std::vector<std::pair<std::string, std::string>>& metadata) {
+        address = "no call";
+        grpc::ClientContext call;
+        call.set_deadline(std::chrono::system_clock::now() + 5s);
+        for (const auto& [name, value] : metadata) call.AddMetadata(name, value);
+        v1::ListWorldsResponse response;
+        const grpc::Status status =
+            v1::WorldService::NewStub(channel)->ListWorlds(&call, {}, &response);
+        return status.ok() ? address : status.error_message();
+    }
+
+    std::string address;
+    const TrustedProxies proxies = TrustedProxies::create({"127.0.0.1"}, {}).value();
+};
+
+TEST_F(ProxiedGrpcTest, calls_have_the_address_that_a_trusted_proxy_names) {
+    GrpcServer server{
+        context, {list_method()}, [] { return true; }, {.port = 0, .proxies = &proxies}};
+    ASSERT_TRUE(server.start().ok());
+    const auto channel = grpc::CreateChannel("127.0.0.1:" + std::to_string(server.port()),
+                                             grpc::InsecureChannelCredentials());
+    EXPECT_EQ(address_of(channel, {}), "127.0.0.1");
+    EXPECT_EQ(address_of(channel, {{"x-forwarded-for", "203.0.113.9"}}), "203.0.113.9");
+    EXPECT_EQ(address_of(channel, {{"x-forwarded-for", "6.6.6.6"},
+                                   {"x-forwarded-for", "203.0.113.9, 127.0.0.1"}}),
+              "203.0.113.9")
+        << "several lines";
+    EXPECT_EQ(address_of(channel, {{"forwarded", "for=6.6.6.6"}}), "127.0.0.1");
+    stop_server(*this, server);
+}
+
+TEST_F(ProxiedGrpcTest, connections_of_a_proxy_begin_with_a_proxy_header) {
+    GrpcServer server{context,
+                      {list_method()},
+                      [] { return true; },
+                      {.port = 0, .proxies = &proxies, .proxy_protocol = true}};
+    ASSERT_TRUE(server.start().ok());
+    const auto connect = [&](std::string_view first_bytes) {
+        const int descriptor = ::socket(AF_INET, SOCK_STREAM, 0);
+        sockaddr_in to{.sin_family = AF_INET, .sin_port = htons(server.port())};
+        to.sin_addr.s_addr = htonl(INADDR_LOOPBACK);
+        EXPECT_EQ(::connect(descriptor, reinterpret_cast<const sockaddr*>(&to), sizeof to), 0);
+        // In two pieces, between which the server waits.
+        EXPECT_EQ(::send(descriptor, first_bytes.data(), 10, 0), 10);
+        std::this_thread::sleep_for(20ms);
+        EXPECT_GT(::send(descriptor, first_bytes.data() + 10, first_bytes.size() - 10, 0), 0);
+        fcntl(descriptor, F_SETFL, O_NONBLOCK);
+        return grpc::CreateInsecureChannelFromFd("proxy", descriptor);
+    };
+    // 203.0.113.9:4711 to 192.0.2.1:443.
+    const std::string header(
+        "\r\n\r\n\0\r\nQUIT\n\x21\x11\0\x0c\xcb\0\x71\x09\xc0\0\x02\x01\x12\x67\x01\xbb", 28);
+    EXPECT_EQ(address_of(connect(header), {{"x-forwarded-for", "6.6.6.6"}}), "203.0.113.9");
+    const std::string local("\r\n\r\n\0\r\nQUIT\n\x20\0\0\0", 16);
+    EXPECT_EQ(address_of(connect(local), {}), "127.0.0.1") << "a connection of the proxy itself";
+    EXPECT_NE(address_of(connect("PROXY TCP4 203.0.113.9 192.0.2.1 4711 443\r\n"), {}),
+              "203.0.113.9")
+        << "version 1 is refused";
+    EXPECT_EQ(address, "no call");
+    stop_server(*this, server);
 }
 
 }  // namespace

@@ -187,6 +187,7 @@ TEST_F(ConnectionRelayTest, rejects_non_http2_clients_before_grpc) {
     EXPECT_TRUE(silent.is_closed()) << "a silent client must be disconnected after 0.3 s";
     const Owned browser = connect();
     browser.write("GET / HTTP/1.1\r\n\r\n");
+    EXPECT_NE(browser.read(1000).find("this is the gRPC port"), std::string::npos);
     EXPECT_TRUE(browser.is_closed()) << "a client of another protocol must be disconnected at once";
     EXPECT_FALSE(table.refusal_for(peer, Clock::now()))
         << "a wrong protocol must not cause a penalty";

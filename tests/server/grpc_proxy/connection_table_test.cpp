@@ -50,6 +50,39 @@ TEST(ConnectionTable, finds_connections_by_grpc_peer_name) {
     EXPECT_EQ(table.of("inproc")->peer, "inproc");
 }
 
+TEST(ConnectionTable, trusted_proxies_have_no_limit_per_address_and_no_penalty) {
+    const TrustedProxies proxies = TrustedProxies::create({"10.0.0.0/8"}, {}).value();
+    ConnectionTable table({.total_max = 5, .per_address_max = 1}, &proxies);
+    const auto first = table.admit(from("10.0.0.1", 1));
+    EXPECT_TRUE(first->is_proxy);
+    EXPECT_FALSE(table.refusal_for(from("10.0.0.1", 2), now));
+    table.penalize(*first, now);
+    EXPECT_FALSE(table.refusal_for(from("10.0.0.1", 2), now));
+    EXPECT_EQ(table.client_address(*first, "6.6.6.6, 203.0.113.9"), "203.0.113.9");
+    EXPECT_EQ(table.forwarded_header(), "x-forwarded-for");
+    const auto direct = table.admit(from("192.0.2.1", 1));
+    EXPECT_EQ(table.client_address(*direct, "203.0.113.9"), "192.0.2.1");
+}
+
+TEST(ConnectionTable, counts_the_client_that_a_proxy_named) {
+    const TrustedProxies proxies = TrustedProxies::create({"10.0.0.1"}, {}).value();
+    ConnectionTable table({.total_max = 9, .per_address_max = 1}, &proxies);
+    const auto first = table.admit(from("10.0.0.1", 1)), second = table.admit(from("10.0.0.1", 2));
+    EXPECT_FALSE(table.set_client(*first, from("203.0.113.9", 4711), now));
+    EXPECT_EQ(first->peer, "203.0.113.9:4711");
+    EXPECT_EQ(first->address, "203.0.113.9");
+    EXPECT_FALSE(first->is_proxy);
+    EXPECT_EQ(table.set_client(*second, from("203.0.113.9", 4712), now), Refusal::address_full);
+    EXPECT_EQ(second->address, "10.0.0.1") << "a refused client changes nothing";
+    EXPECT_EQ(table.refusal_for(from("203.0.113.9", 1), now), Refusal::address_full);
+    table.remove(*first);
+    EXPECT_FALSE(table.set_client(*second, from("203.0.113.9", 4712), now));
+    table.penalize(*second, now);
+    EXPECT_EQ(table.refusal_for(from("203.0.113.9", 1), now), Refusal::address_full);
+    table.remove(*second);
+    EXPECT_EQ(table.refusal_for(from("203.0.113.9", 1), now), Refusal::address_penalized);
+}
+
 TEST(ConnectionTable, penalty_doubles_up_to_one_minute) {
     ConnectionTable table({});
     const auto attacker = table.admit(from("192.0.2.1", 1));

@@ -43,6 +43,8 @@ TEST(BeastRequest, accepts_ordinary_requests) {
         {"length", "POST / HTTP/1.1\r\nHost: a\r\nContent-Length: 0\r\n\r\n"},
         {"chunked, which the session refuses with 411",
          "POST / HTTP/1.1\r\nHost: a\r\nTransfer-Encoding: chunked\r\n\r\n"},
+        {"absolute target", "GET http://b/c?d=e HTTP/1.1\r\nHost: a\r\n\r\n"},
+        {"asterisk", "OPTIONS * HTTP/1.1\r\nHost: a\r\n\r\n"},
         {"UTF-8 in a value", get("Host: a\r\nX-Name: J\xc3\xb8rn\r\n")},
         {"upgrade",
          get("Host: a\r\nConnection: Upgrade\r\nUpgrade: websocket\r\nSec-WebSocket-Version: 13\r\n"
@@ -122,7 +124,12 @@ TEST(BeastRequest, rejects_ambiguous_and_invalid_requests) {
         {"HTTP/0.9", "GET /\r\n\r\n"},
         {"HTTP/1.2", get(host, "1.2")},
         {"HTTP/2.0", get(host, "2.0")},
-        {"absolute target", "GET http://b/ HTTP/1.1\r\n" + host + "\r\n"},
+        {"absolute target without a host", "GET http:/// HTTP/1.1\r\n" + host + "\r\n"},
+        {"absolute target with a user", "GET http://me@b/ HTTP/1.1\r\n" + host + "\r\n"},
+        {"absolute target of another scheme", "GET ftp://b/ HTTP/1.1\r\n" + host + "\r\n"},
+        {"absolute target without Host in HTTP/1.1", "GET http://b/ HTTP/1.1\r\n\r\n"},
+        {"relative target", "GET index.html HTTP/1.1\r\n" + host + "\r\n"},
+        {"asterisk in GET", "GET * HTTP/1.1\r\n" + host + "\r\n"},
         {"authority target", "CONNECT b:80 HTTP/1.1\r\n" + host + "\r\n"},
         {"two tokens", with("Authorization: Bearer a\r\nAuthorization: Bearer b\r\n")},
         {"two origins", with("Origin: http://a\r\nOrigin: http://b\r\n")},
@@ -133,6 +140,40 @@ TEST(BeastRequest, rejects_ambiguous_and_invalid_requests) {
         EXPECT_NE(fault_of(c.header), "") << c.name;
         EXPECT_NE(fault_of(c.header), "incomplete") << c.name;
     }
+}
+
+// RFC 9112, 3.2.
+TEST(BeastRequest, reads_every_form_of_a_target) {
+    const auto forms = [](const char* method, const char* target) {
+        const auto parsed = parse_target(method, target);
+        return parsed ? parsed->authority + " " + parsed->path : "none";
+    };
+    EXPECT_EQ(forms("GET", "/a?b=c"), " /a?b=c");
+    EXPECT_EQ(forms("GET", "http://b:8080/a?b=c"), "b:8080 /a?b=c");
+    EXPECT_EQ(forms("GET", "HTTPS://B.example/"), "B.example /");
+    EXPECT_EQ(forms("GET", "http://b"), "b /");
+    EXPECT_EQ(forms("GET", "http://b?c"), "b /?c");
+    EXPECT_EQ(forms("GET", "http://[::1]:1/x"), "[::1]:1 /x");
+    EXPECT_EQ(forms("OPTIONS", "http://b"), "b *");
+    EXPECT_EQ(forms("OPTIONS", "*"), " *");
+    for (const char* target : {"", "*", "b", "b:80", "http:/b", "http://", "http://b c/"})
+        EXPECT_EQ(forms("GET", target), "none") << target;
+    EXPECT_EQ(forms("GET", "//b/"), " //b/") << "a path, whose first segment is empty";
+}
+
+TEST(BeastRequest, the_authority_of_a_uri_replaces_the_host_header) {
+    BeastRequestParser parser;
+    set_limits(parser, HttpServerSettings{});
+    boost::beast::error_code error;
+    parser.put(boost::asio::buffer(std::string(
+                   "GET http://b:80/x HTTP/1.1\r\nHost: a\r\nX-Forwarded-For: 1.2.3.4\r\n"
+                   "x-forwarded-for: 5.6.7.8\r\n\r\n")),
+               error);
+    const HttpRequest request = to_http_request(parser.get());
+    EXPECT_EQ(request.host, "b:80");
+    EXPECT_EQ(request.target, "/x");
+    EXPECT_EQ(joined_header(parser.get(), "x-forwarded-for"), "1.2.3.4,5.6.7.8");
+    EXPECT_EQ(joined_header(parser.get(), "forwarded"), "");
 }
 
 }  // namespace

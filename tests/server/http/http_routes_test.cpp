@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <tuple>
 
 #include "jostle/scenes/catalog.h"
 #include "tests/server/server_parts.h"
@@ -240,6 +241,68 @@ TEST_F(HttpRoutesTest, health_reflects_server_state) {
 
 TEST_F(HttpRoutesTest, play_requires_a_websocket_upgrade) {
     EXPECT_EQ(send("GET", "/play").status, 426);
+}
+
+TEST_F(HttpRoutesTest, origins_ignore_case_and_default_ports) {
+    for (const auto& [origin, host, status] :
+         {std::tuple("https://play.example.org", "other", 201),
+          std::tuple("HTTPS://Play.example.ORG:443", "other", 201),
+          std::tuple("https://play.example.org:8443", "other", 403),
+          std::tuple("https://my.example.org", "MY.example.org", 201),
+          std::tuple("https://my.example.org", "my.example.org:443", 201),
+          std::tuple("http://my.example.org", "my.example.org:443", 403),
+          std::tuple("null", "null", 403), std::tuple("https://", "", 403)}) {
+        HttpRequest request;
+        request.method = "POST";
+        request.target = "/api/worlds";
+        request.host = host;
+        request.origin = origin;
+        request.content_type = "application/json";
+        request.body = R"({"name": "x", "sceneName": "stack"})";
+        EXPECT_EQ(routes.handle(request).status, status) << origin << " " << host;
+        if (status == 201) send("DELETE", "/api/worlds/x");
+    }
+}
+
+std::string value_of(const HttpHeaders& headers, const std::string& name) {
+    for (const auto& [key, value] : headers)
+        if (key == name) return value;
+    return "";
+}
+
+TEST_F(HttpRoutesTest, only_pages_of_allowed_origins_may_read_responses) {
+    const HttpHeaders allowed = routes.cors_headers("https://play.example.org", "localhost:8080");
+    EXPECT_EQ(value_of(allowed, "Access-Control-Allow-Origin"), "https://play.example.org");
+    EXPECT_EQ(value_of(allowed, "Vary"), "Origin");
+    EXPECT_EQ(value_of(allowed, "Access-Control-Allow-Credentials"), "");
+    const HttpHeaders other = routes.cors_headers("https://evil.example", "localhost:8080");
+    EXPECT_EQ(value_of(other, "Access-Control-Allow-Origin"), "");
+    EXPECT_EQ(value_of(other, "Vary"), "Origin") << "caches must not mix up origins";
+    EXPECT_EQ(value_of(routes.cors_headers("", "localhost:8080"), "Access-Control-Allow-Origin"),
+              "");
+}
+
+TEST_F(HttpRoutesTest, responds_to_preflight_requests) {
+    HttpRequest request;
+    request.method = "OPTIONS";
+    request.target = "/api/worlds";
+    request.host = "localhost:8080";
+    request.origin = "https://play.example.org";
+    request.requested_method = "POST";
+    const HttpResponse granted = routes.handle(request);
+    EXPECT_EQ(granted.status, 204);
+    EXPECT_EQ(value_of(granted.headers, "Access-Control-Allow-Methods"),
+              "GET, HEAD, POST, DELETE, OPTIONS");
+    EXPECT_NE(value_of(granted.headers, "Access-Control-Allow-Headers").find("authorization"),
+              std::string::npos);
+    EXPECT_EQ(value_of(granted.headers, "Access-Control-Max-Age"), "600");
+    request.origin = "https://evil.example";
+    EXPECT_EQ(routes.handle(request).status, 403);
+    EXPECT_EQ(value_of(routes.handle(request).headers, "Access-Control-Allow-Methods"), "");
+    request.origin.clear();
+    request.target = "*";
+    EXPECT_EQ(routes.handle(request).status, 204) << "the server as a whole";
+    EXPECT_EQ(routes.work_of(request), HttpWork::immediate);
 }
 
 }  // namespace

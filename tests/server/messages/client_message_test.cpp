@@ -103,6 +103,24 @@ TEST(ClientMessage, rejects_malformed_messages) {
     EXPECT_NE(refusal_of(beyond).find("leaves no sequence numbers"), std::string::npos);
 }
 
+TEST(ClientMessage, rejects_a_precision_out_of_range_with_its_name_and_range) {
+    v1::ClientMessage message;
+    v1::Precision& precision = *message.mutable_hello()->mutable_precision();
+    precision.set_position(0.01);
+    precision.set_rotation(0.001);
+    EXPECT_EQ(decode_as<Hello>(message).precision,
+              (StreamPrecision{{.position_m = 0.01, .rotation_rad = 0.001}, 0}));
+    precision.set_far_factor(0.5);
+    EXPECT_EQ(refusal_of(message),
+              "hello.precision.far_factor is 0.5; it must be 0 or from 1 to 1000");
+    precision.set_far_factor(1);
+    precision.set_position(2);
+    EXPECT_EQ(refusal_of(message), "hello.precision.position is 2; it must be from 0.0001 to 1 m");
+    precision.set_position(0.01);
+    precision.set_rotation(std::nan(""));
+    EXPECT_NE(refusal_of(message).find("hello.precision.rotation is"), std::string::npos);
+}
+
 TEST(ClientMessage, rejects_inputs_with_non_finite_rotation) {
     for (const double bad :
          {std::nan(""), std::numeric_limits<double>::infinity(), 1e200, 1e-200}) {

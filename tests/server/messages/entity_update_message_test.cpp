@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "jostle/snapshot/entity_list.h"
+
 #include <cmath>
 
 #include "jostle/physics/hull.h"
@@ -56,8 +58,8 @@ TEST(EntityUpdateMessage, contains_render_data) {
     box.shapes.push_back(shape);
     const EntityList previous{entity_with(2, physics::Box{}), entity_with(3, physics::Box{})};
     GeometryTable table;
-    const auto messages =
-        entity_update_messages(previous, {std::make_shared<const EntityDescription>(box)}, table);
+    const auto messages = entity_update_messages(
+        previous, {std::make_shared<const EntityDescription>(box)}, table, EntityForm::complete);
     EXPECT_TRUE(messages.geometry.empty());
     ASSERT_EQ(messages.entity_updates.size(), 1u);
     const v1::EntityUpdate entity_update = parse(messages.entity_updates[0]).entity_update();
@@ -91,7 +93,7 @@ TEST(EntityUpdateMessage, contains_non_default_motion_properties) {
     const auto messages = entity_update_messages({},
                                                  {std::make_shared<const EntityDescription>(plain),
                                                   std::make_shared<const EntityDescription>(odd)},
-                                                 table);
+                                                 table, EntityForm::complete);
     const v1::EntityUpdate entity_update = parse(messages.entity_updates[0]).entity_update();
     EXPECT_EQ(entity_update.added(0).ByteSizeLong(), 37u)
         << "expected an id, a type and a box of three numbers";
@@ -111,7 +113,7 @@ TEST(EntityUpdateMessage, sends_a_shared_mesh_once) {
     EntityList entities;
     for (EntityId id = 1; id <= 2000; id++) entities.push_back(entity_with(id, mesh));
     GeometryTable table;
-    const auto messages = entity_update_messages({}, entities, table);
+    const auto messages = entity_update_messages({}, entities, table, EntityForm::complete);
     ASSERT_EQ(messages.geometry.size(), 1u);
     std::size_t bytes = 0;
     std::string content;
@@ -134,7 +136,7 @@ TEST(EntityUpdateMessage, geometry_id_depends_on_content) {
     GeometryTable table;
     const EntityList entities{entity_with(1, mesh_of(10)), entity_with(2, mesh_of(10)),
                               entity_with(3, mesh_of(10, 1))};
-    const auto messages = entity_update_messages({}, entities, table);
+    const auto messages = entity_update_messages({}, entities, table, EntityForm::complete);
     EXPECT_EQ(messages.geometry.size(), 2u);
     const v1::EntityUpdate entity_update = parse(messages.entity_updates[0]).entity_update();
     EXPECT_EQ(entity_update.added(0).shapes(0).geometry(),
@@ -149,18 +151,41 @@ TEST(EntityUpdateMessage, inlines_small_shapes) {
         points.push_back({std::cos(i * 0.7), i / 16.0 - 1, std::sin(i * 0.7)});
     GeometryTable table;
     const physics::Geometry hull = physics::Hull{physics::build_hull(points).value()};
-    const auto messages = entity_update_messages({}, {entity_with(1, hull)}, table);
+    const auto messages =
+        entity_update_messages({}, {entity_with(1, hull)}, table, EntityForm::complete);
     EXPECT_TRUE(messages.geometry.empty());
     EXPECT_GT(
         parse(messages.entity_updates[0]).entity_update().added(0).shapes(0).hull().points_size(),
         20);
 }
 
+TEST(EntityUpdateMessage, packs_20000_equal_boxes_into_six_bytes_each_or_less) {
+    EntityList entities;
+    for (EntityId id = 1; id <= 20'000; id++) entities.push_back(entity_with(id, physics::Box{}));
+    GeometryTable table;
+    const auto messages = entity_update_messages({}, entities, table, EntityForm::packed);
+    std::size_t bytes = 0, sent = 0;
+    for (const SharedBytes& message : messages.entity_updates) {
+        bytes += message->size();
+        const v1::EntityUpdate update = parse(message).entity_update();
+        EXPECT_EQ(update.added_size(), 0);
+        EXPECT_EQ(update.prototypes_size(), 1);
+        EXPECT_EQ(update.prototypes(0).id(), 0u);
+        const auto listed =
+            snapshot::decode_entity_list(std::as_bytes(std::span(update.packed())), 1, 100'000);
+        ASSERT_TRUE(listed.ok()) << listed.error().message;
+        sent += listed->size();
+    }
+    EXPECT_EQ(sent, 20'000u);
+    EXPECT_LE(bytes, 6u * 20'000);
+    EXPECT_LE(bytes, 4'000u);  // a bit each, and a prototype in each message
+}
+
 TEST(EntityUpdateMessage, splits_long_lists_into_bounded_messages) {
     EntityList entities;
     for (EntityId id = 1; id <= 20'000; id++) entities.push_back(entity_with(id, physics::Box{}));
     GeometryTable table;
-    const auto messages = entity_update_messages({}, entities, table);
+    const auto messages = entity_update_messages({}, entities, table, EntityForm::complete);
     EXPECT_GT(messages.entity_updates.size(), 2u);
     int sent = 0;
     for (const SharedBytes& bytes : messages.entity_updates) {
@@ -168,7 +193,8 @@ TEST(EntityUpdateMessage, splits_long_lists_into_bounded_messages) {
         sent += parse(bytes).entity_update().added_size();
     }
     EXPECT_EQ(sent, 20'000);
-    EXPECT_TRUE(entity_update_messages(entities, entities, table).entity_updates.empty());
+    EXPECT_TRUE(entity_update_messages(entities, entities, table, EntityForm::complete)
+                    .entity_updates.empty());
 }
 
 }  // namespace

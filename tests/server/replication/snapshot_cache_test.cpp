@@ -323,6 +323,75 @@ TEST(SnapshotCache, skips_and_resets_decode_to_the_server_state) {
     for (const Client& client : all) EXPECT_GT(client.received, 50);
 }
 
+// Two clients of a class; one of them missed a snapshot.
+TEST(SnapshotCache, a_client_that_missed_a_frame_shares_the_encoding_of_its_class) {
+    SnapshotCache cache({}, serialize);
+    BaselineTracker regular, irregular;
+    Receiver receiver;
+    for (std::uint32_t tick = 2; tick <= 60; tick += 2) {
+        const FramePtr frame = frame_at(tick);
+        const SnapshotCache::Shared first = cache.shared_encoding(frame, regular);
+        ASSERT_NE(first.bytes, nullptr);
+        EXPECT_TRUE(first.fresh);
+        regular.on_sent(tick);
+        if (tick == 30) continue;
+        const SnapshotCache::Shared second = cache.shared_encoding(frame, irregular);
+        // It lacks one of the baselines of the class in three frames.
+        const bool lacks_one = tick > 30 && tick <= 36;
+        EXPECT_EQ(second.fresh, lacks_one) << tick;
+        EXPECT_EQ(first.bytes != second.bytes, lacks_one) << tick;
+        receiver.take(*second.bytes);
+        irregular.on_sent(tick);
+    }
+    EXPECT_EQ(cache.encodings_made(), 33u);
+}
+
+// 200 clients at ten rates, each of which misses a tenth of its snapshots.
+TEST(SnapshotCache, irregular_clients_share_encodings) {
+    constexpr std::uint32_t ticks = 600;
+    constexpr std::uint32_t steps[] = {1, 2, 3, 4, 5, 6, 10, 12, 15, 20};
+    const auto encodings = [&](double missed, bool shares = true) {
+        SnapshotCache cache({}, serialize);
+        std::vector<BaselineTracker> clients(200);
+        std::vector<Receiver> receivers(20);  // of the first clients
+        std::minstd_rand random(3);
+        for (std::uint32_t tick = 1; tick <= ticks; ++tick) {
+            const FramePtr frame = frame_at(tick);
+            for (std::size_t c = 0; c < clients.size(); ++c) {
+                if (tick % steps[c % 10] != 0 || random() % 1000 < 1000 * missed) continue;
+                const SharedBytes bytes =
+                    shares ? cache.shared_encoding(frame, clients[c]).bytes
+                           : cache.encoding(frame, clients[c].baselines_for(tick));
+                if (!bytes) continue;  // no more encodings of this frame
+                if (c < receivers.size()) receivers[c].take(*bytes);
+                clients[c].on_sent(tick);
+            }
+        }
+        return static_cast<double>(cache.encodings_made()) / ticks;
+    };
+    const double regular = encodings(0), irregular = encodings(0.1), own = encodings(0.1, false);
+    RecordProperty("encodings_per_tick_regular", std::to_string(regular));
+    RecordProperty("encodings_per_tick_irregular", std::to_string(irregular));
+    RecordProperty("encodings_per_tick_own", std::to_string(own));
+    EXPECT_LT(regular, 3);
+    EXPECT_LT(irregular, 8);
+    EXPECT_LT(irregular, 0.85 * own) << "with its own baselines for each client";
+}
+
+TEST(SnapshotCache, limits_the_encodings_of_a_frame) {
+    SnapshotCache cache({}, serialize);
+    for (std::uint32_t tick = 1; tick <= 30; ++tick) cache.encoding(frame_at(tick), {});
+    // Each client has a single frame, and all of these differ.
+    int served = 0;
+    for (std::uint32_t only = 1; only <= 30; ++only) {
+        BaselineTracker client;
+        client.on_sent(only);
+        served += cache.shared_encoding(frame_at(31), client).bytes ? 1 : 0;
+    }
+    EXPECT_EQ(served, SnapshotCache::encodings_per_frame_max);
+    EXPECT_NE(cache.shared_encoding(frame_at(31), {}).bytes, nullptr) << "keyframes do not count";
+}
+
 TEST(SnapshotCache, supports_concurrent_requests) {
     SnapshotCache cache({}, serialize);
     std::vector<FramePtr> frames;

@@ -147,8 +147,10 @@ TEST_F(SnapshotSectionsTest, sections_exist_only_if_requested) {
     InputIntake inputs(host->mailbox(), {.client = 7}, {}, std::make_shared<ResultQueue>(),
                        server.now);
     const SnapshotSchedule schedule({}, 60, 1);
+    const auto poses = broadcast.poses({});
     const SnapshotSections::Sources sources{.context = server.context,
                                             .broadcast = broadcast,
+                                            .poses = *poses,
                                             .entities = entities,
                                             .inputs = inputs,
                                             .schedule = schedule,

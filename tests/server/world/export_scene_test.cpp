@@ -100,6 +100,7 @@ TEST(ExportScene, includes_spawned_and_excludes_deleted_bodies) {
     EXPECT_EQ(std::get<physics::Sphere>(ball.shapes[0].geometry).radius, 0.3);
     EXPECT_EQ(exported.scene.name, "stack");
     EXPECT_EQ(exported.scene.hz, hosted.scene.hz);
+    EXPECT_EQ(exported.scene.precision.position, hosted.scene.precision.position);
 }
 
 // A hand is a joint of the world that no scene has.

@@ -22,5 +22,18 @@ TEST(LoadOptions, distributes_the_areas_of_interest_of_clients_over_a_disc) {
     EXPECT_FALSE(LoadOptions{}.interest_of(0)) << "the whole world";
 }
 
+TEST(LoadOptions, spreads_the_read_rates_of_clients_evenly) {
+    const LoadOptions plan{.clients = 100, .read_rate = 5, .read_rate_max = 60};
+    int slow = 0;
+    for (int k = 0; k < plan.clients; k++) {
+        EXPECT_GE(plan.read_rate_of(k), 5);
+        EXPECT_LE(plan.read_rate_of(k), 60);
+        slow += plan.read_rate_of(k) < 32.5 ? 1 : 0;
+    }
+    EXPECT_NEAR(slow, 50, 1);
+    EXPECT_EQ((LoadOptions{.read_rate = 20}.read_rate_of(3)), 20);
+    EXPECT_EQ(LoadOptions{}.read_rate_of(3), 0) << "unlimited";
+}
+
 }  // namespace
 }  // namespace jostle::load

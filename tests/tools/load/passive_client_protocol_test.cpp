@@ -64,6 +64,7 @@ TEST(PassiveClientProtocol, sends_hello_first_and_waits_for_the_welcome) {
     ASSERT_TRUE(hello.ParseFromString(std::string(sink.take_message(noon).value())));
     EXPECT_EQ(hello.hello().world(), "sandbox");
     EXPECT_TRUE(hello.hello().spectator());
+    EXPECT_EQ(hello.hello().codec(), 2u) << "the codec of the clients of players";
     EXPECT_FALSE(sink.take_message(noon));
     EXPECT_FALSE(sink.joined());
 }

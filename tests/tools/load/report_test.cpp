@@ -32,11 +32,26 @@ TEST(Report, lists_violated_thresholds) {
 TEST(Report, writes_every_documented_json_key_and_null_for_unknown_values) {
     const auto json =
         nlohmann::json::parse(to_json({.clients = 3, .server_cpu_percent = {}, .last_error = {}}));
-    for (const char* key :
-         {"clients", "connected", "seconds", "inputs_sent", "inputs_accepted", "snapshots",
-          "kbit_per_second_per_client", "snapshots_per_second_per_client", "snapshot_bytes",
-          "decoded_share", "age_ms_p50", "age_ms_p99", "age_ms", "gap_ms", "result_delay_ms",
-          "effect_delay_ms", "age_windows_ms", "errors", "server_cpu_percent"})
+    for (const char* key : {"clients",
+                            "connected",
+                            "seconds",
+                            "inputs_sent",
+                            "inputs_accepted",
+                            "snapshots",
+                            "kbit_per_second_per_client",
+                            "snapshots_per_second_per_client",
+                            "snapshot_bytes",
+                            "decoded_share",
+                            "frozen_share",
+                            "age_ms_p50",
+                            "age_ms_p99",
+                            "age_ms",
+                            "gap_ms",
+                            "result_delay_ms",
+                            "effect_delay_ms",
+                            "age_windows_ms",
+                            "errors",
+                            "server_cpu_percent"})
         EXPECT_TRUE(json.contains(key)) << key;
     EXPECT_TRUE(json["server_cpu_percent"].is_null());
     EXPECT_TRUE(json["result_delay_ms"].is_null());

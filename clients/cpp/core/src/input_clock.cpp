@@ -9,7 +9,9 @@ namespace {
 
 constexpr double mean_weight = 1.0 / 8, jitter_weight = 1.0 / 16, jitter_margin_factor = 4;
 constexpr double first_jitter_us = 4000;
-constexpr double speed_correction = 0.05, jump_ticks = 10;
+// Errors up to one tick are corrected slowly, because the margins of single inputs differ by that.
+constexpr double speed_correction = 0.05, slow_correction = 0.01, jump_ticks = 10;
+constexpr double tolerance_ticks = 0.25;
 constexpr int consecutive_margins = 3;
 constexpr int margin_timeout_frames = 120;
 
@@ -52,7 +54,11 @@ void InputClock::on_margin(std::uint32_t sequence, double margin_us) {
     mean_us_ += mean_weight * (margin_us - mean_us_);
     const double off_us = margin_us - target_us();
     if (std::abs(off_us) > jump_ticks * tick_us_) return jump(-off_us / tick_us_);
-    if (std::abs(off_us) < tick_us_) {
+    adjust_speed(std::abs(off_us) > tick_us_ ? off_us : mean_us_ - target_us());
+}
+
+void InputClock::adjust_speed(double off_us) {
+    if (std::abs(off_us) < tolerance_ticks * tick_us_) {
         consecutive_out_of_range_ = 0;
         speed_ = 1;
         return;
@@ -60,8 +66,9 @@ void InputClock::on_margin(std::uint32_t sequence, double margin_us) {
     correction_us_ = std::abs(off_us);
     consecutive_out_of_range_ = off_us > 0 ? std::max(0, consecutive_out_of_range_) + 1
                                            : std::min(0, consecutive_out_of_range_) - 1;
-    if (consecutive_out_of_range_ >= consecutive_margins) speed_ = 1 - speed_correction;
-    if (consecutive_out_of_range_ <= -consecutive_margins) speed_ = 1 + speed_correction;
+    const double correction = correction_us_ > tick_us_ ? speed_correction : slow_correction;
+    if (consecutive_out_of_range_ >= consecutive_margins) speed_ = 1 - correction;
+    if (consecutive_out_of_range_ <= -consecutive_margins) speed_ = 1 + correction;
 }
 
 void InputClock::jump(double ticks) {

@@ -47,6 +47,8 @@ public:
     // An input sent by datagram was not confirmed within `timeout`.
     bool is_stalled(Clock::duration timeout, Clock::time_point now) const;
 
+    // The newest input was not sent yet and names its tick: waiting would need a larger margin.
+    bool has_unsent_timed() const { return next_unsent_ < next_ && inputs_.back().tick() != 0; }
     // The stream has unsent inputs.
     bool has_for_stream() const { return next_for_stream() < next_; }
     // Fills a batch with the next inputs for the stream. Returns the number of inputs sent for the

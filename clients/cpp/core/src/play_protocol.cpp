@@ -8,7 +8,7 @@ namespace jostle::client {
 namespace {
 
 constexpr std::uint32_t protocol_version = 1;
-constexpr auto batch_period = std::chrono::microseconds(33'333);  // 30 batches per second
+constexpr auto usual_batch_period = std::chrono::microseconds(33'333);  // 30 batches per second
 constexpr int initial_pings = 3;  // at short intervals, for a quick clock estimate
 constexpr auto initial_ping_period = std::chrono::milliseconds(100);
 constexpr auto ping_period = std::chrono::seconds(1);
@@ -31,6 +31,12 @@ void write(v1::Interest& to, const AreaOfInterest& from) {
     to.mutable_focus()->set_x(from.x);
     to.mutable_focus()->set_z(from.z);
     to.set_radius(from.radius);
+}
+
+void write(v1::Precision& to, const Precision& from) {
+    to.set_position(from.position);
+    to.set_rotation(from.rotation);
+    to.set_far_factor(from.far_factor);
 }
 
 v1::Aim* aim_of(v1::Input& input) {
@@ -124,19 +130,22 @@ void PlayProtocol::receive_datagram(const std::string& bytes, Clock::time_point 
     stats_.datagram_snapshots += stats_.snapshots - before;
 }
 
+void PlayProtocol::note_error(const Status& applied) {
+    if (applied.ok()) return;
+    stats_.decode_errors++;
+    stats_.last_error = applied.error().message;
+}
+
 void PlayProtocol::on_message(Clock::time_point now) {
     switch (message_.message_case()) {
         case v1::ServerMessage::kWelcome:
             on_welcome(message_.welcome(), now);
             break;
         case v1::ServerMessage::kGeometry:
-            if (const Status applied = view_.apply(message_.geometry()); !applied.ok()) {
-                stats_.decode_errors++;
-                stats_.last_error = applied.error().message;
-            }
+            note_error(view_.apply(message_.geometry()));
             break;
         case v1::ServerMessage::kEntityUpdate:
-            view_.apply(message_.entity_update());
+            note_error(view_.apply(message_.entity_update()));
             break;
         case v1::ServerMessage::kSnapshot:
             if (message_.snapshot().has_controlled_entity())
@@ -325,8 +334,10 @@ std::string PlayProtocol::hello() {
     hello.set_codec(options_.codec);
     for (const std::string& kind : options_.channels) hello.add_channels(kind);
     hello.set_max_kbps(options_.max_kbps);
+    hello.set_packed_entities(options_.packed_entities);
     hello.set_datagrams(options_.datagrams && !options_.network_conditions.impaired());
     if (options_.interest) write(*hello.mutable_interest(), *options_.interest);
+    if (options_.precision) write(*hello.mutable_precision(), *options_.precision);
     hello.set_resumable(options_.resume && options_.reconnect);
     if (!resume_token_.empty()) {
         hello.mutable_resume()->set_token(resume_token_);
@@ -343,11 +354,18 @@ bool PlayProtocol::sends_inputs_on_stream(Clock::time_point now) const {
            inputs_.is_stalled(confirm_timeout, now);
 }
 
+// Timed inputs are sent at once, but several of one tick share a batch.
+Clock::duration PlayProtocol::batch_period() const {
+    if (!inputs_.has_unsent_timed()) return usual_batch_period;
+    const auto half_tick = std::chrono::microseconds(static_cast<std::int64_t>(tick_us_ / 2));
+    return std::min<Clock::duration>(usual_batch_period, half_tick);
+}
+
 std::optional<std::string> PlayProtocol::take_message(Clock::time_point now) {
     if (hello_due_) return hello();
     if (!stats_.connected || leave_sent_) return std::nullopt;
     v1::ClientMessage message;
-    if (sends_inputs_on_stream(now) && now - last_batch_ >= batch_period) return take_inputs(now);
+    if (sends_inputs_on_stream(now) && now - last_batch_ >= batch_period()) return take_inputs(now);
     if (now >= next_ping_) {
         next_ping_ = now + (++pings_sent_ < initial_pings ? Clock::duration(initial_ping_period)
                                                           : Clock::duration(ping_period));
@@ -388,7 +406,7 @@ std::optional<std::string> PlayProtocol::take_datagram(Clock::time_point now) {
     const bool through = stats_.datagrams;
     const bool inputs = through && !leaving_ && inputs_.has_unconfirmed() &&
                         inputs_.fits(datagram_inputs_bytes) &&
-                        now - last_datagram_batch_ >= batch_period;
+                        now - last_datagram_batch_ >= batch_period();
     const Clock::duration period = through ? datagram_keepalive_period
                                    : now - ticket_received_at_ < initial_probe_duration
                                        ? initial_probe_period

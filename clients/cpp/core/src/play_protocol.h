@@ -73,12 +73,14 @@ public:
 private:
     void start_new_session();
     void on_message(Clock::time_point now);
+    void note_error(const Status& applied);
     void on_welcome(const v1::Welcome& welcome, Clock::time_point now);
     void on_snapshot(const v1::Snapshot& snapshot, Clock::time_point now);
     void on_points(const v1::Snapshot& snapshot);
     bool needs_keyframe() const { return need_keyframe_ || view_.points().needs_keyframe(); }
     std::string hello();
     bool sends_inputs_on_stream(Clock::time_point now) const;
+    Clock::duration batch_period() const;
     std::string datagram_with_inputs(Clock::time_point now);
     void adjust_input_clock(const v1::Snapshot& snapshot, double age_us, Clock::time_point now);
     void on_results(const v1::ClientUpdate& own, Clock::time_point now);

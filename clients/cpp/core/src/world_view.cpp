@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "jostle/client/world_view.h"
+#include "jostle/client/added_entities.h"
 
 #include <algorithm>
 #include <cmath>
@@ -65,10 +66,16 @@ const v1::Shape* WorldView::resolve_shape(const v1::Shape& shape) const {
     return known == geometry_.end() ? nullptr : &known->second;
 }
 
-void WorldView::apply(const v1::EntityUpdate& entity_update) {
+Status WorldView::apply(const v1::EntityUpdate& entity_update) {
+    auto added = added_entities(entity_update);
+    if (!added.ok()) return added.error();
     for (const std::uint32_t id : entity_update.removed()) entities_.erase(id);
-    for (const v1::Entity& entity : entity_update.added()) entities_[entity.id()] = entity;
+    for (v1::Entity& entity : *added) {
+        const std::uint32_t id = entity.id();
+        entities_[id] = std::move(entity);
+    }
     remove_unknown_entities();
+    return {};
 }
 
 Status WorldView::apply(const v1::ControlledEntityState& state) {

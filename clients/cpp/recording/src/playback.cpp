@@ -35,7 +35,7 @@ Status Playback::find_next_snapshot() {
 
 Status Playback::apply(const v1::ServerMessage& message, std::uint64_t offset) {
     Status status;
-    if (message.has_entity_update()) view_.apply(message.entity_update());
+    if (message.has_entity_update()) status = view_.apply(message.entity_update());
     if (message.has_geometry()) status = view_.apply(message.geometry());
     if (message.has_snapshot()) {
         status = view_.apply(message.snapshot());

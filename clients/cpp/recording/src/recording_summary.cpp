@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "jostle/client/recording_summary.h"
 
+#include "jostle/client/added_entities.h"
+
 #include <algorithm>
 #include <set>
 
@@ -56,8 +58,8 @@ RecordingSummary summarize(RecordingReader& recording) {
         summary.seconds = static_cast<double>(record->arrived_us) / 1e6;
         if (message.has_snapshot()) count_snapshot(summary, *record);
         for (const std::uint32_t id : message.entity_update().removed()) entities.erase(id);
-        for (const v1::Entity& entity : message.entity_update().added())
-            entities.insert(entity.id());
+        if (const auto added = added_entities(message.entity_update()); added.ok())
+            for (const v1::Entity& entity : *added) entities.insert(entity.id());
         summary.entities_max = std::max(summary.entities_max, entities.size());
     }
     summary.entities = entities.size();

@@ -2,7 +2,7 @@
 // prediction.
 
 import { nowUs } from './clock/clock_sync.js';
-import { Connection, type AreaOfInterest, type ConnectionListener, type ConnectionState, type Input, type Socket } from './connection/connection.js';
+import { Connection, type AreaOfInterest, type Precision, type ConnectionListener, type ConnectionState, type Input, type Socket } from './connection/connection.js';
 import type { Entity } from './gen/jostle/v1/play_pb.js';
 import type { PointObjectView } from './interpolation/point_objects.js';
 import { RenderedPoses } from './interpolation/rendered_poses.js';
@@ -27,6 +27,8 @@ export interface ConnectOptions {
   readonly channels?: readonly string[];
   /** The part of the world to receive; default: the whole world. */
   readonly areaOfInterest?: AreaOfInterest;
+  /** Precision of the poses for this client; default: that of the world. */
+  readonly precision?: Precision;
   /** Whether to receive events (ConnectionListener.worldEvents); default: false. */
   readonly events?: boolean;
   /**
@@ -74,7 +76,7 @@ export class Client {
 
   /** Use connect(). */
   constructor(options: ConnectOptions) {
-    const { url, token, channels = [], areaOfInterest, events = false, prediction = false, listener = {} } = options;
+    const { url, token, channels = [], areaOfInterest, precision, events = false, prediction = false, listener = {} } = options;
     this.listener = listener;
     const channelKinds = prediction === false ? channels : [...channels, MOTION_CHANNEL];
     const forward: ConnectionListener = {
@@ -88,7 +90,7 @@ export class Client {
       inputRejected: (result) => listener.inputRejected?.(result),
       notice: (text) => listener.notice?.(text),
     };
-    this.connection = new Connection({ url, listener: forward, openSocket: options.openSocket, token, channelKinds, areaOfInterest });
+    this.connection = new Connection({ url, listener: forward, openSocket: options.openSocket, token, channelKinds, areaOfInterest, precision });
     this.connection.setEventsEnabled(events);
   }
 

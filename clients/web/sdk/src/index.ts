@@ -19,6 +19,7 @@ export { Client, connect, ConnectError, type ConnectOptions, type Vector } from 
 export { nowUs } from './clock/clock_sync.js';
 export {
   type AreaOfInterest,
+  type Precision,
   Connection,
   openSocket,
   type ConnectionListener,

@@ -61,6 +61,13 @@ inline constexpr std::size_t modules_max = 64;
 /// Maximum number of objects of a module in a scene file.
 inline constexpr std::size_t module_objects_max = 4096;
 
+/// Greatest error of the poses that clients decode (v1::Precision). All 0: not set.
+struct StreamPrecision {
+    double position = 0;    ///< m, 0.0001 to 1
+    double rotation = 0;    ///< rad, 0.0002 to 0.5
+    double far_factor = 0;  ///< coarser in distant cells, 1 to 1000; 0: 1
+};
+
 /// A world as plain data.
 struct SceneDescription {
     std::string name;
@@ -68,6 +75,7 @@ struct SceneDescription {
     physics::WorldDef world;
     /// Steps per second, 4 to 1000 in a file; the caller that steps the world uses it.
     double hz = 60;
+    StreamPrecision precision;
     std::vector<SceneBody> bodies;
     std::vector<SceneJoint> joints;
     std::vector<SceneModule> modules;  ///< in the order in which they are added

@@ -26,7 +26,7 @@ struct SteeredStream {
 
     NetworkSimulator up, down;
     InputClock clock;
-    std::int64_t us = 3'000'000, next_batch_us = us;
+    std::int64_t us = 3'000'000, next_batch_us = us, batch_period_us = 33'333;
     std::uint32_t sequence = 0, tick = 0;
     double added_way_us = 0;  // additional transit time of inputs
     struct Input {
@@ -62,7 +62,7 @@ struct SteeredStream {
         }
     }
     void send() {
-        next_batch_us = us + 33'333;
+        next_batch_us = us + batch_period_us;
         const double arrival = static_cast<double>(up.send(us).arrival_us) + added_way_us;
         for (const Input& input : unsent) {
             told++;
@@ -89,6 +89,21 @@ TEST(InputClock, converges_within_one_tick_of_its_target_with_few_late_inputs) {
     RecordProperty("late_share", std::to_string(1.0 * stream.late / stream.told));
     EXPECT_LT(stream.clock.target_ms(), 45) << "one tick plus four times the jitter";
     EXPECT_LT(stream.late, 0.01 * stream.told);
+    EXPECT_EQ(stream.clock.jumps(), 0);
+}
+
+// The first estimate of the jitter is 4 ms, so that the clock begins 33 ms ahead.
+TEST(InputClock, margin_on_loopback_is_one_tick_plus_four_times_the_jitter) {
+    SteeredStream stream({.latency_ms = 0.1});
+    stream.batch_period_us = 0;  // timed inputs are sent at once
+    stream.run(5, 100);
+    stream.late = stream.told = 0;
+    stream.run(20, 100);
+    RecordProperty("margin_ms", std::to_string(stream.clock.margin_ms()));
+    RecordProperty("target_ms", std::to_string(stream.clock.target_ms()));
+    EXPECT_LT(stream.clock.target_ms(), 22);
+    EXPECT_NEAR(stream.clock.margin_ms(), stream.clock.target_ms(), tick_us / 4 / 1000 + 0.5);
+    EXPECT_EQ(stream.late, 0);
     EXPECT_EQ(stream.clock.jumps(), 0);
 }
 

@@ -192,7 +192,7 @@ TEST_F(WorldViewTest, hides_entities_until_their_entity_update_arrives) {
     ASSERT_TRUE(view.apply(told(second, &first)).ok()) << "it is a baseline nevertheless";
     v1::EntityUpdate entity_update;
     entity_update.add_added()->set_id(7);
-    view.apply(entity_update);
+    EXPECT_TRUE(view.apply(entity_update).ok());
     EXPECT_EQ(view.frame().entities.size(), 1u) << "visible once the entity is known";
     EXPECT_EQ(view.ack_bits(), 1u);
     v1::EntityUpdate gone;

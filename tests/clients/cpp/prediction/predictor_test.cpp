@@ -44,7 +44,7 @@ struct Yard {
         add(own_id, physics::Box{{0.25, 0.25, 0.25}}, {0, 0.25, 0}, true);
         add(other_id, physics::Box{{0.25, 0.25, 0.25}}, {1.5, 0.25, 0}, true);
         add(far_id, physics::Box{{0.25, 0.25, 0.25}}, {20, 0.25, 1}, true);
-        view.apply(entity_update);
+        EXPECT_TRUE(view.apply(entity_update).ok());
         predictor.follow(own_id);
     }
 
@@ -463,7 +463,7 @@ TEST(Predictor, keeps_a_tower_top_supported_by_static_boundary_bodies) {
     constexpr std::uint32_t first = 10, top = 19;
     for (std::uint32_t k = 0; k < 10; k++)
         yard.add(first + k, physics::Box{{0.35, 0.35, 0.35}}, {-8, 0.35 + 0.7 * k, 0}, true);
-    yard.view.apply(yard.entity_update);
+    EXPECT_TRUE(yard.view.apply(yard.entity_update).ok());
     yard.predictor.follow(top);
     yard.run(3);
     EXPECT_EQ(yard.predictor.bodies(), 5u) << "3 m of 7 m";
@@ -485,7 +485,7 @@ TEST(Predictor, predicts_dragging_the_top_of_a_tower) {
     for (std::uint32_t k = 0; k < 10; k++)
         yard.add(first + k, physics::Box{{0.35, 0.35, 0.35}}, {-8, 0.35 + 0.7 * k, 0}, true,
                  0.1 * k);
-    yard.view.apply(yard.entity_update);
+    EXPECT_TRUE(yard.view.apply(yard.entity_update).ok());
     yard.predictor.follow(top);
     yard.run(3);
     const Vec3 point{-7.7, 6.8, 0.35};
@@ -534,7 +534,7 @@ TEST(Predictor, applies_damping_gravity_scale_and_locks_of_a_body) {
             entity.set_gravity_scale(0);
             entity.mutable_locks()->set_y(true);
         }
-        yard.view.apply(yard.entity_update);
+        EXPECT_TRUE(yard.view.apply(yard.entity_update).ok());
         yard.predictor.follow(odd);
         yard.run(2);
         for (int k = 0; k < 4; k++) {
@@ -563,7 +563,7 @@ TEST(Predictor, jointed_bodies_keep_their_last_velocity) {
                        .kind = physics::BallJoint{}})
         .value();
     yard.entity_update.mutable_added(yard.entity_update.added_size() - 1)->set_jointed(true);
-    yard.view.apply(yard.entity_update);
+    EXPECT_TRUE(yard.view.apply(yard.entity_update).ok());
     yard.run(3);
     std::vector<std::pair<std::uint32_t, Vec3>> seen;  // in rendered frames near that tick
     for (int k = 0; k < 90; k++) {

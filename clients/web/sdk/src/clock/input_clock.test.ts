@@ -16,6 +16,7 @@ class SteeredStream {
   least = 1;
   greatest = 1;
   private us = 3_000_000;
+  batchPeriodUs = 33_333;
   private nextBatchUs = this.us;
   private sequence = 0;
   private tick = 0;
@@ -51,7 +52,7 @@ class SteeredStream {
   }
 
   private send(): void {
-    this.nextBatchUs = this.us + 33_333;
+    this.nextBatchUs = this.us + this.batchPeriodUs;
     const arrival = this.up.send(this.us).arrivalUs + this.addedLatencyUs;
     this.sentCount += this.unsent.length;
     this.late += this.unsent.filter(({ tick }) => tick * TICK_US < arrival).length;
@@ -74,6 +75,19 @@ it('converges within one tick of its target with few late inputs', () => {
   expect(stream.marginErrorUs).toBeLessThan(TICK_US);
   expect(stream.clock.targetUs, 'a tick and four times the jitter').toBeLessThan(45_000);
   expect(stream.late).toBeLessThan(0.01 * stream.sentCount);
+  expect(stream.clock.jumps).toBe(0);
+});
+
+// The first estimate of the jitter is 4 ms, so that the clock begins 33 ms ahead.
+it('has a margin of one tick plus four times the jitter on loopback', () => {
+  const stream = new SteeredStream({ latencyMs: 0.1 });
+  stream.batchPeriodUs = 0; // timed inputs are sent at once
+  stream.run(5, 100);
+  stream.late = stream.sentCount = 0;
+  stream.run(20, 100);
+  expect(stream.clock.targetUs).toBeLessThan(22_000);
+  expect(stream.marginErrorUs).toBeLessThan(TICK_US / 4 + 500);
+  expect(stream.late).toBe(0);
   expect(stream.clock.jumps).toBe(0);
 });
 

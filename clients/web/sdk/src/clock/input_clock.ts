@@ -1,15 +1,19 @@
 // The server tick that an input made now is meant for (Input.tick). The clock runs ahead of the server,
 // so that inputs arrive before their tick. The server reports the margin
 // (ClientUpdate.input_margin_us), and the clock is adjusted until the margin is one tick plus four
-// times its jitter. Within one tick of that target the speed is 1. After three consecutive margins
-// outside, it is 1.05 or 0.95 for as long as necessary. An error of more than ten ticks causes a jump.
+// times its jitter. Within a quarter of a tick of that target the speed is 1. After three consecutive
+// smoothed margins outside, it is 1.01 or 0.99 for as long as necessary, or 1.05 or 0.95 if the error
+// exceeds one tick. An error of more than ten ticks causes a jump.
 // Same algorithm as jostle/client/input_clock.h of the C++ client library. Times in microseconds.
 
 const MEAN_WEIGHT = 1 / 8;
 const JITTER_WEIGHT = 1 / 16;
 const JITTER_MARGIN_FACTOR = 4;
 const FIRST_JITTER_US = 4000;
+// Errors up to one tick are corrected slowly, because the margins of single inputs differ by that.
 const SPEED_CORRECTION = 0.05;
+const SLOW_CORRECTION = 0.01;
+const TOLERANCE_TICKS = 0.25;
 const JUMP_TICKS = 10;
 const CONSECUTIVE_MARGINS = 3;
 const MARGIN_TIMEOUT_FRAMES = 120;
@@ -37,6 +41,9 @@ export class InputClock {
     if (tickHz > 0 && Number.isFinite(tickHz)) this.tickUs = 1e6 / tickHz;
   }
 
+  get halfTickUs(): number {
+    return this.tickUs / 2;
+  }
   get targetUs(): number {
     return this.tickUs + JITTER_MARGIN_FACTOR * this.jitterUs;
   }
@@ -82,20 +89,22 @@ export class InputClock {
     this.jitterUs += JITTER_WEIGHT * (change - this.jitterUs);
     this.lastMarginUs = marginUs;
     this.meanMarginUs += MEAN_WEIGHT * (marginUs - this.meanMarginUs);
-    this.adjust(marginUs - this.targetUs);
+    const error = marginUs - this.targetUs;
+    if (Math.abs(error) > JUMP_TICKS * this.tickUs) return this.jump(-error / this.tickUs);
+    this.adjust(Math.abs(error) > this.tickUs ? error : this.meanMarginUs - this.targetUs);
   }
 
   private adjust(error: number): void {
-    if (Math.abs(error) > JUMP_TICKS * this.tickUs) return this.jump(-error / this.tickUs);
-    if (Math.abs(error) < this.tickUs) {
+    if (Math.abs(error) < TOLERANCE_TICKS * this.tickUs) {
       this.consecutiveOutOfRange = 0;
       this.speed = 1;
       return;
     }
     this.correctionUs = Math.abs(error);
     this.consecutiveOutOfRange = error > 0 ? Math.max(0, this.consecutiveOutOfRange) + 1 : Math.min(0, this.consecutiveOutOfRange) - 1;
-    if (this.consecutiveOutOfRange >= CONSECUTIVE_MARGINS) this.speed = 1 - SPEED_CORRECTION;
-    if (this.consecutiveOutOfRange <= -CONSECUTIVE_MARGINS) this.speed = 1 + SPEED_CORRECTION;
+    const correction = this.correctionUs > this.tickUs ? SPEED_CORRECTION : SLOW_CORRECTION;
+    if (this.consecutiveOutOfRange >= CONSECUTIVE_MARGINS) this.speed = 1 - correction;
+    if (this.consecutiveOutOfRange <= -CONSECUTIVE_MARGINS) this.speed = 1 + correction;
   }
 
   private jump(ticks: number): void {

@@ -1,7 +1,7 @@
 // The play stream over a WebSocket: hello, acks, input batches, pings and reconnecting. It renders
 // nothing.
 
-import { create, fromBinary, toBinary, type MessageInitShape } from '@bufbuild/protobuf';
+import { clone, create, fromBinary, toBinary, type MessageInitShape } from '@bufbuild/protobuf';
 import { ClockSync, nowUs } from '../clock/clock_sync.js';
 import { baselineFrames } from '../snapshot/baseline_frames.js';
 import {
@@ -14,6 +14,7 @@ import {
   type QuantSpec,
   type QuantizedFrame,
 } from '../snapshot/decode_frame.js';
+import { decodeEntityList } from '../snapshot/entity_list.js';
 import { InterestCells } from '../snapshot/interest_cells.js';
 import { FrameBuffer, type PoseFrame } from '../interpolation/frame_buffer.js';
 import { PointObjects } from '../interpolation/point_objects.js';
@@ -27,6 +28,7 @@ import { ControlledStateDecoder, type ControlledEntity } from './word_changes.js
 import {
   AckSchema,
   ClientMessageSchema,
+  EntitySchema,
   InputCode,
   InterestSchema,
   NoticeCode,
@@ -49,6 +51,16 @@ export interface AreaOfInterest {
   readonly radius: number;
   /** Bandwidth limit in kbit/s, from 16; 0: no limit. */
   readonly maxKbps: number;
+}
+
+/** The greatest error of decoded poses (proto Precision). The server rounds down to 1, 2 or 5 times a power of ten. */
+export interface Precision {
+  /** m, 0.0001 to 1. */
+  readonly position: number;
+  /** rad, 0.0002 to 0.5. */
+  readonly rotation: number;
+  /** Coarser beyond half of the radius of interest, 1 to 1000; default: 1. */
+  readonly farFactor?: number;
 }
 
 const PROTOCOL = 1;
@@ -125,6 +137,8 @@ export interface ConnectionOptions {
   readonly channelKinds?: readonly string[] | undefined;
   /** Default: the whole world. */
   readonly areaOfInterest?: AreaOfInterest | undefined;
+  /** Default: the precision of the world. */
+  readonly precision?: Precision | undefined;
 }
 
 /** A play stream that reconnects. join() starts it, stop() ends it. */
@@ -175,6 +189,7 @@ export class Connection {
   private readonly token: string;
   private readonly channelKinds: readonly string[];
   private readonly areaOfInterest: AreaOfInterest | undefined;
+  private readonly precision: Precision | undefined;
 
   constructor(options: ConnectionOptions) {
     this.url = options.url;
@@ -183,6 +198,7 @@ export class Connection {
     this.token = options.token ?? '';
     this.channelKinds = options.channelKinds ?? [];
     this.areaOfInterest = options.areaOfInterest;
+    this.precision = options.precision;
   }
 
   /**
@@ -241,8 +257,8 @@ export class Connection {
     if (input.kind?.case === 'drag' && last?.kind?.case === 'drag' && last.tick === input.tick) this.inputs.replaceLast(input);
     else this.inputs.push(input);
     this.predictionListener?.input(this.inputs.newest, tick, input);
-    // Waiting for the next batch would need a larger input lead.
-    if (tick > 0 && now - this.lastBatch >= BATCH_MS * 1000) this.sendInputs(now);
+    // Waiting for the next batch would need a larger input lead. Several inputs of one tick share a batch.
+    if (tick > 0 && now - this.lastBatch >= this.inputClock.halfTickUs) this.sendInputs(now);
   }
 
   /** Computes the positions of the point objects at the rendered time, on the server's clock. */
@@ -297,7 +313,9 @@ export class Connection {
       const channels = [...this.channelKinds];
       const hello = { protocol: PROTOCOL, world, name: 'browser', events, token, channels, codec: NEWEST_CODEC,
         maxKbps: this.areaOfInterest?.maxKbps ?? 0,
+        packedEntities: true,
         ...(this.areaOfInterest ? { interest: this.interest(this.areaOfInterest) } : {}),
+        ...(this.precision ? { precision: { farFactor: 1, ...this.precision } } : {}),
         resumable: true,
         ...(this.resumeToken.length > 0 ? { resume: { token: this.resumeToken, frame: this.frames.newest?.frame ?? 0 } } : {}),
       };
@@ -418,12 +436,29 @@ export class Connection {
       this.entities.delete(id);
       this.predictionListener?.entityRemoved(id);
     }
-    for (const entity of change.added) {
+    for (const entity of this.addedEntities(change)) {
       this.largeShapes.resolve(entity);
       this.entities.set(entity.id, entity);
       this.predictionListener?.entityAdded(entity);
     }
     this.listener.entityList(this.entities);
+  }
+
+  /** The added entities; packed ones are copies of their prototypes. */
+  private addedEntities(change: EntityUpdate): readonly Entity[] {
+    if (change.packed.length === 0) return change.added;
+    try {
+      const listed = decodeEntityList(change.packed, change.prototypes.length);
+      return [...change.added, ...listed.map(({ id, prototype }) => {
+        const entity = clone(EntitySchema, change.prototypes[prototype]!);
+        entity.id = id;
+        return entity;
+      })];
+    } catch (error) {
+      if (!(error instanceof DecodeError)) throw error;
+      this.decodeErrors++;
+      return change.added;
+    }
   }
 
   private onSnapshot(s: Snapshot): void {

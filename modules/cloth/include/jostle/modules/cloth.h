@@ -39,8 +39,8 @@ public:
     static constexpr std::size_t cloths_max = 256;        ///< maximum number of cloths
     static constexpr std::size_t vertices_max = 100000;   ///< of all cloths
     static constexpr std::size_t attachments_max = 1000;  ///< of a cloth
-    static constexpr double published_step = 0.002;       ///< m
-    static constexpr int points_divisor = 2;              ///< steps between publications
+    static constexpr double published_step_min = 0.001, published_step_max = 0.01;  ///< m
+    static constexpr int points_divisor = 2;  ///< steps between publications
 
     Cloths();
     ~Cloths() override;
@@ -106,8 +106,8 @@ public:
                               const physics::ModuleSettings& settings) override;
 
     /// Publishes the channel "cloth" of the form points every points_divisor steps: each cloth of
-    /// up to 65,536 vertices as a grid, or as triangles if it is a mesh or torn, in steps of
-    /// published_step.
+    /// up to 65,536 vertices as a grid, or as triangles if it is a mesh or torn, in steps of half
+    /// its thickness, 1 mm to 1 cm.
     std::vector<physics::ChannelKind> channels() const override;
     void publish(const physics::World& world, physics::ChannelWriter& channels) const override;
 

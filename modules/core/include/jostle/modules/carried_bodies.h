@@ -20,7 +20,7 @@
 
 namespace jostle::modules {
 
-/// What an attachment holds to: a body, a grab, or, if both are zero, the world.
+/// The support of an attachment: a body, a grab, or, if both are zero, the world.
 struct Support {
     physics::BodyId body = {};
     std::uint32_t holder = 0;  ///< of the grab

@@ -15,10 +15,10 @@ namespace jostle::modules {
 /// the weights (1 - (d / push_radius)^2) times mass; none exceeds Deformables::push_speed_max.
 /// `position_of` and `mass_of` return those of a mass point, in m and kg. If no mass point is
 /// within the radius, `nearest` receives the impulse.
-template <class PositionOf, class MassOf>
+template <class GetPosition, class GetMass>
 std::vector<physics::Vec3> spread_impulse(std::size_t count, std::size_t nearest,
                                           physics::Vec3 point, physics::Vec3 impulse,
-                                          const PositionOf& position_of, const MassOf& mass_of) {
+                                          const GetPosition& position_of, const GetMass& mass_of) {
     std::vector<double> shares(count);
     double sum = 0;
     for (std::size_t k = 0; k < count; k++) {

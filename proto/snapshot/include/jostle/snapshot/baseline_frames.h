@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "jostle/base/result.h"
+#include "jostle/snapshot/entity_state.h"
 
 namespace jostle::snapshot {
 
@@ -20,6 +21,11 @@ struct BaselineFrames {
 };
 
 inline constexpr std::uint32_t baseline_distance_max = 254;
+
+/// Omits baselines whose spacing makes products of the prediction exceed 2^53, which a browser
+/// cannot compute exactly: with fine rotations, dt1 is at most 50 dt2 (WIRE.md, "Prediction").
+BaselineFrames predictable(std::uint32_t frame, const BaselineFrames& baselines,
+                           const QuantSpec& spec);
 
 /// Returns 0 without a baseline. The distances must be at most baseline_distance_max.
 std::uint32_t encode_baseline_frames(std::uint32_t frame, const BaselineFrames& baselines);

@@ -21,6 +21,14 @@ struct AreaOfInterest {
     double radius = 0;    ///< m, at least 1; 0: the whole world
 };
 
+/// The greatest error of decoded poses. The server rounds both down to 1, 2 or 5 times a power of
+/// ten.
+struct Precision {
+    double position = 0;    ///< m, 0.0001 to 1
+    double rotation = 0;    ///< rad, 0.0002 to 0.5
+    double far_factor = 1;  ///< coarser beyond half of the radius of interest, 1 to 1000
+};
+
 /// Options of Client::connect().
 struct ClientOptions {
     std::string target = "localhost:50051";  ///< host:port of the server's gRPC listener
@@ -39,8 +47,14 @@ struct ClientOptions {
     std::uint32_t codec = 2;
     /// Bandwidth limit for everything that the server sends, kbit/s, at least 16; 0: no limit.
     std::uint32_t max_kbps = 0;
+    /// Receives entity lists packed, which takes about one hundredth of the bytes in scenes of
+    /// equal bodies. A recorder for earlier versions of jostle-replay does not.
+    bool packed_entities = true;
     /// Initial area of interest; Client::set_interest() moves it. Absent: the whole world.
     std::optional<AreaOfInterest> interest = {};
+    /// Precision of the poses for this client. Absent: that of the world. Prediction expects at
+    /// most 0.002 m and 0.005 rad.
+    std::optional<Precision> precision = {};
     /// Receives snapshots and sends inputs as datagrams if the server supports them, for
     /// connections that lose packets. While datagrams do not get through, the stream carries
     /// everything. Not available together with an area of interest, a bandwidth limit or simulated

@@ -3,9 +3,10 @@
 // Determines the server tick for which an input made now is meant (Input.tick). The clock runs
 // ahead of the server, so that inputs arrive before their tick. The server reports the arrival
 // margin (ClientUpdate.input_margin_us). The clock steers the margin to one tick plus four times
-// its jitter. Within one tick of that target the clock runs at normal speed. After three successive
-// margins outside, it runs at 1.05 or 0.95 times the speed until the error is corrected. With an
-// error above ten ticks it jumps. One thread at a time.
+// its jitter. Within a quarter of a tick of that target the clock runs at normal speed. After three
+// successive smoothed margins outside, it runs at 1.01 or 0.99 times the speed until the error is
+// corrected, or at 1.05 or 0.95 if the error exceeds one tick. With an error above ten ticks it
+// jumps. One thread at a time.
 #pragma once
 
 #include <cstdint>
@@ -43,6 +44,7 @@ public:
 
 private:
     double target_us() const;
+    void adjust_speed(double off_us);
     void jump(double ticks);
 
     double tick_us_ = 1e6 / 60;

@@ -39,8 +39,9 @@ public:
     void resume(const v1::Welcome& welcome);
     /// Adds a chunk of a large shape. Returns an error if it does not follow the previous chunk.
     Status apply(const v1::GeometryChunk& part);
-    /// Adds and removes entities.
-    void apply(const v1::EntityUpdate& entity_update);
+    /// Adds and removes entities. Returns an error, and changes nothing, if the packed list is
+    /// malformed.
+    Status apply(const v1::EntityUpdate& entity_update);
     /// Decodes a snapshot and verifies its CRC. On an error the last valid frame remains current,
     /// and the client should request a keyframe.
     Status apply(const v1::Snapshot& snapshot);

@@ -12,7 +12,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file jostle/v1/common.proto.
  */
 export const file_jostle_v1_common: GenFile = /*@__PURE__*/
-  fileDesc("ChZqb3N0bGUvdjEvY29tbW9uLnByb3RvEglqb3N0bGUudjEiJwoEVmVjMxIJCgF4GAEgASgBEgkKAXkYAiABKAESCQoBehgDIAEoASIyCgRRdWF0EgkKAXgYASABKAESCQoBeRgCIAEoARIJCgF6GAMgASgBEgkKAXcYBCABKAEiKgoIVmlld1RpbWUSDAoEdGljaxgBIAEoDRIQCghmcmFjdGlvbhgCIAEoAmIGcHJvdG8z");
+  fileDesc("ChZqb3N0bGUvdjEvY29tbW9uLnByb3RvEglqb3N0bGUudjEiJwoEVmVjMxIJCgF4GAEgASgBEgkKAXkYAiABKAESCQoBehgDIAEoASIyCgRRdWF0EgkKAXgYASABKAESCQoBeRgCIAEoARIJCgF6GAMgASgBEgkKAXcYBCABKAEiKgoIVmlld1RpbWUSDAoEdGljaxgBIAEoDRIQCghmcmFjdGlvbhgCIAEoAiJDCglQcmVjaXNpb24SEAoIcG9zaXRpb24YASABKAESEAoIcm90YXRpb24YAiABKAESEgoKZmFyX2ZhY3RvchgDIAEoAWIGcHJvdG8z");
 
 /**
  * @generated from message jostle.v1.Vec3
@@ -100,4 +100,41 @@ export type ViewTime = Message<"jostle.v1.ViewTime"> & {
  */
 export const ViewTimeSchema: GenMessage<ViewTime> = /*@__PURE__*/
   messageDesc(file_jostle_v1_common, 2);
+
+/**
+ * The greatest error of the poses that clients decode. Smaller values cost more bandwidth. `position`
+ * and `rotation` are set together.
+ *
+ * @generated from message jostle.v1.Precision
+ */
+export type Precision = Message<"jostle.v1.Precision"> & {
+  /**
+   * m, 0.0001 to 1: distance between the decoded and the true position
+   *
+   * @generated from field: double position = 1;
+   */
+  position: number;
+
+  /**
+   * rad, 0.0002 to 0.5: angle between the decoded and the true rotation
+   *
+   * @generated from field: double rotation = 2;
+   */
+  rotation: number;
+
+  /**
+   * In streams with an area of interest: factor by which both are coarser in cells beyond half of its
+   * radius, 1 to 1000. 0: 1.
+   *
+   * @generated from field: double far_factor = 3;
+   */
+  farFactor: number;
+};
+
+/**
+ * Describes the message jostle.v1.Precision.
+ * Use `create(PrecisionSchema)` to create a new message.
+ */
+export const PrecisionSchema: GenMessage<Precision> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_common, 3);
 

@@ -13,13 +13,9 @@ constexpr int max_energy_rounds = 16;
 // error. What the first one leaves is of second order in it.
 constexpr double slow_correction = 0.35;
 // What may remain of the first error, which is about that of the step itself, as in W. E. Milne's
-// device ("Numerical solution of differential equations", 1953), but at most `most` metres in a
-// group of links of 0.5 m. Large groups save a factorization with more.
-struct Left {
-    double share, most;
-};
-constexpr Left left_of_small{0.02, 5e-6}, left_of_large{0.1, 1e-4};
-constexpr std::size_t min_large_tree = 64;  // joints
+// device ("Numerical solution of differential equations", 1953), but at most `left_most` metres in
+// a group of links of 0.5 m.
+constexpr double left_share = 0.1, left_most = 1e-4;
 
 }  // namespace
 
@@ -119,14 +115,13 @@ void BallTree::correct(System& system, double h, bool again) {
 bool BallTree::step_energy(System& system, double h, double tolerance, double reach) {
     count_.energy_steps++;
     begin_energy_step(h);
-    const Left left = joints_.size() < min_large_tree ? left_of_small : left_of_large;
     double last_error = 1e300, enough = tolerance;
     bool slow = false;
     for (int round = 0;; round++) {
         const double error = residual_of(h, round == 0 || slow);
         if (round == 0)
             enough =
-                maximum(tolerance, minimum(left.share * error, left.most * minimum(1, 2 * reach)));
+                maximum(tolerance, minimum(left_share * error, left_most * minimum(1, 2 * reach)));
         if (error < enough) break;
         if (round == max_energy_rounds || !(error < 1e6)) {
             if (!(error < accepted_errors * tolerance)) return false;

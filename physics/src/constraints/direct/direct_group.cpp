@@ -237,7 +237,8 @@ void DirectGroup::advance(double dt, int substeps) {
     // Separated ends converge step by step, forward in time.
     if (parts > 0 && set_targets(dt / substeps)) parts = 0;
     if (parts == 0 && may_take_fewer_steps && joints.size() >= min_large_joints)
-        substeps = fewer_steps(substeps, turn);
+        substeps =
+            fewer_steps(substeps, joints.size() >= min_coarse_joints ? turn : FreeAxis::never);
     for (int part = 0; part < parts; part++) {
         const double h = dt / parts;
         store_ball_tree();

@@ -45,7 +45,7 @@ public:
     bool is_trial = false;
     // Takes half of the sub-steps, but at least four, if it is large and its steps are not
     // composed: its errors are of second order and far smaller than those of contacts. Takes a
-    // quarter, but at least two, while its bodies turn slowly.
+    // quarter, but at least two, while the bodies of a group of 64 joints turn slowly.
     bool may_take_fewer_steps = false;
 
     // Counters since prepare(), for the profile and for tests.
@@ -208,6 +208,9 @@ private:
     // In the velocity fallback, which takes several rounds instead.
     static constexpr double proximal = 1e-4;
     static constexpr int proximal_rounds = 3;
+    // Joints of a group whose tolerances are those of contacts: it takes the steps of ball trees,
+    // and few of them while it turns slowly. Smaller groups are exact.
+    static constexpr std::size_t min_coarse_joints = 64;
     // Maximum number of retries of a step after a limit or a motor maximum was reached.
     static constexpr int bound_rounds = 4;
 

@@ -109,7 +109,8 @@ bool DirectGroup::prepare(std::int64_t max_work) {
 }
 
 bool DirectGroup::is_ball_tree() const {
-    return !looped_ && !net_ && !locked_ && hubs_.hubs.empty() &&
+    return joints.size() >= min_coarse_joints && !looped_ && !net_ && !locked_ &&
+           hubs_.hubs.empty() &&
            std::all_of(joints.begin(), joints.end(),
                        [](const DirectJoint& joint) { return joint.is_ball_alone(); }) &&
            std::all_of(bodies.begin(), bodies.end(), [](const DirectBody& body) {

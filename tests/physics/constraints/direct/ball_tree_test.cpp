@@ -50,19 +50,19 @@ void run(DirectGroup& group, int steps, int substeps) {
     for (int k = 0; k < steps; k++) group.advance(1.0 / 60, substeps);
 }
 
-// Twelve links take RATTLE steps. With 6,000 N at their end, 60 links take energy-momentum steps.
+// With 6,000 N at its end, a chain takes energy-momentum steps.
 TEST(BallTree, moves_as_the_code_for_all_kinds_of_joints) {
     for (const bool loaded : {false, true}) {
-        const int links = loaded ? 60 : 12;
+        const int links = 66;
         const double load = loaded ? 100 : 1;
         DirectGroup balls = forked_chain(links, 0.05, load), all = forked_chain(links, 0.05, load),
                     fine = forked_chain(links, 0.05, load);
         NoForces none;
         all.outside = fine.outside = &none;
-        run(balls, 30, 4);
-        run(all, 30, 4);
+        run(balls, 30, loaded ? 4 : 8);
+        run(all, 30, loaded ? 4 : 8);
         run(fine, 30, 64);
-        EXPECT_LT(farthest(balls, fine), 1.02 * farthest(all, fine)) << load;
+        EXPECT_LT(farthest(balls, fine), 1.05 * farthest(all, fine)) << load;
         EXPECT_LT(widest_gap(balls), 1e-4) << load;
         const DirectGroup::Count of_balls = balls.count(), of_all = all.count();
         EXPECT_EQ(of_balls.energy_steps > 60, loaded);
@@ -74,12 +74,12 @@ TEST(BallTree, moves_as_the_code_for_all_kinds_of_joints) {
 
 // 8,000 N of tension pull bodies that turn: only a force at one point of both conserves this.
 TEST(BallTree, conserves_the_angular_momentum_of_a_loaded_chain) {
-    DirectGroup group = forked_chain(60, 0);
+    DirectGroup group = forked_chain(70, 0);
     group.bodies.erase(group.bodies.begin());
     group.joints.erase(group.joints.begin());
     for (DirectJoint& joint : group.joints) joint.a--, joint.b--;
     for (DirectBody& body : group.bodies) body.force = {};
-    for (std::size_t k : {0, 59}) {
+    for (std::size_t k : {0, 69}) {
         group.bodies[k].force = Vec3{0, 0, k == 0 ? 8000.0 : -8000.0};
         group.bodies[k].mass *= 100;
         group.bodies[k].inverse_mass /= 100;
@@ -98,18 +98,18 @@ TEST(BallTree, conserves_the_angular_momentum_of_a_loaded_chain) {
 }
 
 TEST(BallTree, reports_the_load_on_its_joints) {
-    DirectGroup group = forked_chain(3, 0.05);
+    DirectGroup group = forked_chain(66, 0.05);
     for (DirectBody& body : group.bodies) body.p = {};
     for (DirectJoint& joint : group.joints) joint.force_sum = {};
     run(group, 1, 8);
-    EXPECT_NEAR(group.joints[0].force_sum.z * 60, 3 * 6 * g, 2);
+    EXPECT_NEAR(group.joints[0].force_sum.z * 60, 66 * 6 * g, 40);
 }
 
-// Bodies that turn by 0.02 rad per step of a chain of 30 need two sub-steps, those that turn by
+// Bodies that turn by 0.02 rad per step of a chain of 66 need two sub-steps, those that turn by
 // 0.3 rad four.
 TEST(BallTree, takes_few_sub_steps_while_bodies_turn_slowly) {
     for (const double spin : {1.0, 20.0}) {
-        DirectGroup group = forked_chain(30, 0.05);
+        DirectGroup group = forked_chain(66, 0.05);
         group.may_take_fewer_steps = true;
         for (DirectBody& body : group.bodies) {
             body.p = body.force = {};

@@ -338,7 +338,7 @@ LinkResult stream_over(const NetworkConditions& conditions, double seconds) {
     };
     // Steps of 1 ms; a tick is due every 16.7 ms.
     std::uint32_t tick = 0;
-    for (std::int64_t us = 0; us < seconds * 1e6; us += 1000) {
+    for (std::int64_t us = 0; static_cast<double>(us) < seconds * 1e6; us += 1000) {
         while (!arriving.empty() && arriving.front().at_us <= us) {
             unacknowledged = arriving.front();
             arriving.pop_front();
@@ -352,7 +352,7 @@ LinkResult stream_over(const NetworkConditions& conditions, double seconds) {
         for (; !acks.empty() && acks.front().at_us <= us; acks.pop_front())
             flow.on_ack(acks.front().frame, std::chrono::microseconds(acks.front().held_us),
                         at(us));
-        if (us * rate_hz < (tick + 1) * 1e6) continue;
+        if (static_cast<double>(us) * rate_hz < (tick + 1) * 1e6) continue;
         tick++;
         if (!flow.may_send(tick, at(us))) continue;
         flow.on_sent(tick, at(us));

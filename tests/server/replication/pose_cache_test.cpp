@@ -64,7 +64,8 @@ TEST(PoseCache, every_quantized_pose_is_within_the_precision) {
     PoseCache cache(
         precision, cell_m, [](const EncodedSnapshot&) { return std::string(); },
         [](const EncodedCell&) { return std::string(); });
-    std::mt19937 random(5);
+    std::mt19937 generator(5);
+    const auto random = [&] { return static_cast<std::uint32_t>(generator()); };
     // In any order of ticks and with gaps, as network threads request them.
     std::uint32_t tick = 1;
     for (int k = 0; k < 200; k++) {
@@ -88,10 +89,12 @@ TEST(PoseCache, distant_cells_have_the_same_entities_in_the_far_precision) {
         for (const auto& [near, far] : *cells) {
             ASSERT_EQ(near.id, far.id);
             ASSERT_EQ(near.content->entities.size(), far.content->entities.size());
-            if (near.number == tick)
+            if (near.number == tick) {
                 EXPECT_EQ(misses(*near.content, tick, precision.near, cache.snapshots().spec()), 0);
-            if (far.number == tick)
+            }
+            if (far.number == tick) {
                 EXPECT_EQ(misses(*far.content, tick, precision.far(), cache.snapshots().spec()), 0);
+            }
             coarser += near.content->entities != far.content->entities;
         }
     }

@@ -358,7 +358,9 @@ TEST(SnapshotCache, irregular_clients_share_encodings) {
         for (std::uint32_t tick = 1; tick <= ticks; ++tick) {
             const FramePtr frame = frame_at(tick);
             for (std::size_t c = 0; c < clients.size(); ++c) {
-                if (tick % steps[c % 10] != 0 || random() % 1000 < 1000 * missed) continue;
+                if (tick % steps[c % 10] != 0 ||
+                    static_cast<double>(random() % 1000) < 1000 * missed)
+                    continue;
                 const SharedBytes bytes =
                     shares ? cache.shared_encoding(frame, clients[c]).bytes
                            : cache.encoding(frame, clients[c].baselines_for(tick));

@@ -56,7 +56,9 @@ TEST(GoldenConversation, leads_to_the_states_entities_and_results_of_conversatio
     auto snapshots = nlohmann::json::array(), results = nlohmann::json::array();
     for (const v1::ServerMessage& message : messages()) {
         if (message.has_welcome()) view.begin(message.welcome());
-        if (message.has_entity_update()) view.apply(message.entity_update());
+        if (message.has_entity_update()) {
+            ASSERT_TRUE(view.apply(message.entity_update()).ok());
+        }
         if (!message.has_snapshot()) continue;
         const Status applied = view.apply(message.snapshot());
         ASSERT_TRUE(applied.ok()) << message.snapshot().frame() << applied.error().message;

@@ -197,7 +197,7 @@ TEST_F(WorldViewTest, hides_entities_until_their_entity_update_arrives) {
     EXPECT_EQ(view.ack_bits(), 1u);
     v1::EntityUpdate gone;
     gone.add_removed(7);
-    view.apply(gone);
+    EXPECT_TRUE(view.apply(gone).ok());
     EXPECT_TRUE(view.frame().entities.empty());
 }
 

@@ -36,6 +36,7 @@ EXEMPT = {
      "cmake -S . -B build/solver -DCMAKE_BUILD_TYPE=Release -DJOSTLE_RPC=OFF -DJOSTLE_SERVER=OFF -DJOSTLE_TESTS=OFF"): BUILDS,
     ("docs/getting_started/embed_the_solver.md", "cmake -B build -DCMAKE_BUILD_TYPE=Release"): BUILDS,
     ("docs/getting_started/python_client.md", "sudo apt-get install python3-grpcio protobuf-compiler protobuf-compiler-grpc"): PACKAGES,
+    ("docs/guides/operator/proxies.md", "apt-get install nginx-light"): "installs packages and needs a certificate: scripts/proxy-check",
     ("docs/getting_started/typescript_client.md", "cd clients/web"): "npm needs a registry: clients/web/check runs the same commands",
     ("docs/getting_started/typescript_client.md", "node sdk/examples/push_ball.mjs ws://127.0.0.1:8080/play"): "needs Node 22: clients/web/check",
     ("docs/guides/client_developer/typescript.md", "(cd clients/web && npm ci && npm run build:sdk)"): "npm needs a registry: clients/web/check",

@@ -93,8 +93,9 @@ const snapshot::QuantizedFrame* CellSnapshotCache::find(const History& history,
     return at != history.states.end() && at->number == number ? at->content.get() : nullptr;
 }
 
-SharedBytes CellSnapshotCache::encoding(const CellState& state, snapshot::BaselineFrames baselines,
-                                        snapshot::Codec codec) {
+CellSnapshotCache::Encoding CellSnapshotCache::encoding(const CellState& state,
+                                                        snapshot::BaselineFrames baselines,
+                                                        snapshot::Codec codec) {
     const std::lock_guard lock(mutex_);
     // Another thread may have added a newer state or dropped the cell; the encoding is then made
     // for this client only.
@@ -104,14 +105,15 @@ SharedBytes CellSnapshotCache::encoding(const CellState& state, snapshot::Baseli
     History& history = known->second;
     if (history.states.back().number != state.number)
         return encode(history, state, baselines, codec);
-    SharedBytes& bytes = history.encodings[{baselines, codec}];
-    if (!bytes) bytes = encode(history, state, baselines, codec);
-    return bytes;
+    Encoding& made = history.encodings[{baselines, codec}];
+    if (!made.bytes) made = encode(history, state, baselines, codec);
+    return made;
 }
 
-SharedBytes CellSnapshotCache::encode(const History& history, const CellState& state,
-                                      snapshot::BaselineFrames baselines,
-                                      snapshot::Codec codec) const {
+CellSnapshotCache::Encoding CellSnapshotCache::encode(const History& history,
+                                                      const CellState& state,
+                                                      snapshot::BaselineFrames baselines,
+                                                      snapshot::Codec codec) const {
     baselines = snapshot::predictable(state.number, baselines, spec_);
     const snapshot::QuantizedFrame* baseline =
         baselines.baseline != 0 ? find(history, baselines.baseline) : nullptr;
@@ -122,13 +124,14 @@ SharedBytes CellSnapshotCache::encode(const History& history, const CellState& s
     const snapshot::BaselineFrames used{baseline ? baselines.baseline : 0,
                                         baseline2 ? baselines.baseline2 : 0,
                                         baseline3 ? baselines.baseline3 : 0};
-    return std::make_shared<const std::string>(
-        serialize_({.id = state.id,
-                    .number = state.number,
-                    .baselines = used,
-                    .packed = snapshot::encode_frame(
-                        *state.content, {baseline, baseline2, baseline3}, spec_, codec),
-                    .crc = state.crc}));
+    return {std::make_shared<const std::string>(
+                serialize_({.id = state.id,
+                            .number = state.number,
+                            .baselines = used,
+                            .packed = snapshot::encode_frame(
+                                *state.content, {baseline, baseline2, baseline3}, spec_, codec),
+                            .crc = state.crc})),
+            baseline == nullptr};
 }
 
 }  // namespace jostle::server

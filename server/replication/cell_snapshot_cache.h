@@ -56,9 +56,13 @@ public:
     // `far` return the poses of the frame in both precisions; they are called only for a new frame.
     // Without `far` all cells have the same precision; either all calls have it or none.
     Cells cells(const FramePtr& frame, const Quantize& near, const Quantize& far = {});
-    // Baselines that are no longer stored are omitted. Never null.
-    SharedBytes encoding(const CellState& state, snapshot::BaselineFrames baselines,
-                         snapshot::Codec codec);
+    struct Encoding {
+        SharedBytes bytes;         // never null
+        bool is_keyframe = false;  // no baseline is stored any more
+    };
+    // Baselines that are no longer stored are omitted.
+    Encoding encoding(const CellState& state, snapshot::BaselineFrames baselines,
+                      snapshot::Codec codec);
 
     // Distance in m from a point on the ground to a cell.
     double distance(CellId cell, double x_m, double z_m) const {
@@ -70,14 +74,14 @@ private:
     struct History {
         std::deque<CellState> states;  // oldest first
         // Encodings of the newest state.
-        std::map<std::tuple<snapshot::BaselineFrames, snapshot::Codec>, SharedBytes> encodings;
+        std::map<std::tuple<snapshot::BaselineFrames, snapshot::Codec>, Encoding> encodings;
     };
     using Histories = std::map<CellId, History>;
     Histories& histories(bool far) { return far ? far_histories_ : histories_; }
     void add(CellId cell, bool far, snapshot::QuantizedFrame content, std::uint32_t tick);
     const snapshot::QuantizedFrame* find(const History& history, std::uint32_t number) const;
-    SharedBytes encode(const History& history, const CellState& state,
-                       snapshot::BaselineFrames baselines, snapshot::Codec codec) const;
+    Encoding encode(const History& history, const CellState& state,
+                    snapshot::BaselineFrames baselines, snapshot::Codec codec) const;
 
     const snapshot::QuantSpec spec_;
     const Serialize serialize_;

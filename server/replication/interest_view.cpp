@@ -160,8 +160,9 @@ void InterestView::reset() {
     for (auto& [cell, known] : known_) known.states.reset();
 }
 
-void InterestView::on_sent(const PendingCell& part, std::uint32_t tick) {
+void InterestView::on_sent(const PendingCell& part, bool is_keyframe, std::uint32_t tick) {
     Known& known = known_[part.state.id];
+    if (is_keyframe) known.states.reset();  // the client drops its earlier states
     known.states.on_sent(part.state.number);
     ASSERT(tick >= known.sent_tick);
     known.sent_tick = tick;

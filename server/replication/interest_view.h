@@ -73,7 +73,7 @@ public:
     // Whether an object at this distance has left the area of interest.
     bool leaves(double distance_m) const;
 
-    void on_sent(const PendingCell& part, std::uint32_t tick);
+    void on_sent(const PendingCell& part, bool is_keyframe, std::uint32_t tick);
     // Cells that the client must remove: they left its area of interest since the last call.
     std::vector<CellId> take_left() { return std::exchange(left_, {}); }
     // The client lost its state: each of its cells is sent as a keyframe.

@@ -37,6 +37,7 @@ std::shared_ptr<PoseCache> BroadcastCache::poses(const StreamPrecision& precisio
                                             encode_cell_field);
         known = poses;
     }
+    last_poses_ = poses;
     return poses;
 }
 

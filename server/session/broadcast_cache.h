@@ -53,6 +53,8 @@ private:
     PointCache points_;
     std::mutex mutex_;
     std::map<StreamPrecision, std::weak_ptr<PoseCache>> poses_;
+    // The last one stays for a client that resumes.
+    std::shared_ptr<PoseCache> last_poses_;
     GeometryTable geometry_;
     std::vector<EntityListChange> entity_list_changes_;  // oldest first
     std::deque<std::pair<std::shared_ptr<const TickEvents>, SharedBytes>> events_;

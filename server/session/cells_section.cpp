@@ -39,8 +39,10 @@ void CellsSection::append(const FramePtr& frame, Clock::time_point now, Snapshot
     std::vector<InterestView::PendingCell> beyond_quota;
     bool budget_left = true;
     for (auto& part : view_.pending_cells(cache, *cells, frame->tick, now)) {
-        if (send_cell(part, frame->tick, part.fresh, parts)) continue;
+        const Sent sent = send_cell(part, frame->tick, part.fresh, parts);
+        if (sent == Sent::all) continue;
         has_pending_ = true;
+        if (sent == Sent::members) continue;  // the cell follows in a later snapshot
         if (part.fresh || part.new_members) {
             beyond_quota.push_back(std::move(part));
         } else {
@@ -50,24 +52,26 @@ void CellsSection::append(const FramePtr& frame, Clock::time_point now, Snapshot
     }
     // New cells also get what updates leave of the budget.
     for (const auto& part : beyond_quota)
-        if (!budget_left || !send_cell(part, frame->tick, false, parts)) break;
+        if (!budget_left || send_cell(part, frame->tick, false, parts) == Sent::nothing) break;
     view_.set_cells_waiting(has_pending_);
     const std::vector<CellId> left = view_.take_left();
     if (!left.empty()) parts.fields += encode_cells_left_field(left);
 }
 
-// Returns false if the budget does not allow it, or if the client lacks entities of the cell.
+// Sends the cell, or entities of it that the client does not know, which must arrive before it.
 // `quota`: within the quota of new cells.
-bool CellsSection::send_cell(const InterestView::PendingCell& part, std::uint32_t tick, bool quota,
-                             SnapshotParts& parts) {
-    if (!view_.affords(0, quota)) return false;
-    if (part.new_members && !send_members(*part.state.content, quota)) return false;
-    SharedBytes bytes = poses_.cells().encoding(part.state, part.baselines, codec_);
-    if (!view_.affords(bytes->size(), quota)) return false;
-    view_.spend(bytes->size(), part.fresh);
-    view_.on_sent(part, tick);
-    parts.shared_fields.push_back(std::move(bytes));
-    return true;
+CellsSection::Sent CellsSection::send_cell(const InterestView::PendingCell& part,
+                                           std::uint32_t tick, bool quota, SnapshotParts& parts) {
+    if (!view_.affords(0, quota)) return Sent::nothing;
+    if (part.new_members)
+        if (const Sent sent = send_members(*part.state.content, quota); sent != Sent::all)
+            return sent;
+    CellSnapshotCache::Encoding cell = poses_.cells().encoding(part.state, part.baselines, codec_);
+    if (!view_.affords(cell.bytes->size(), quota)) return Sent::nothing;
+    view_.spend(cell.bytes->size(), part.fresh);
+    view_.on_sent(part, cell.is_keyframe, tick);
+    parts.shared_fields.push_back(std::move(cell.bytes));
+    return Sent::all;
 }
 
 void CellsSection::on_sent(const OutMessage& snapshot) {
@@ -76,9 +80,9 @@ void CellsSection::on_sent(const OutMessage& snapshot) {
     view_.spend(snapshot.header.size() + snapshot.shared->size(), false);
 }
 
-// Sends the entities of the cell that the client does not know, as far as the budget allows.
-// Returns true if the client knew all of them.
-bool CellsSection::send_members(const snapshot::QuantizedFrame& cell, bool quota) {
+// Sends the entities of the cell that the client does not know, as far as the budget allows. `all`:
+// the client knew all of them.
+CellsSection::Sent CellsSection::send_members(const snapshot::QuantizedFrame& cell, bool quota) {
     const UpdateSize& size =
         entities_.form() == EntityForm::packed ? packed_entities : complete_entities;
     EntityList fresh;
@@ -94,18 +98,18 @@ bool CellsSection::send_members(const snapshot::QuantizedFrame& cell, bool quota
                                                  [](const auto& known) { return known->id; });
         if (at != list.end() && (*at)->id == entity.id) fresh.push_back(*at);
     }
-    if (fresh.empty()) return knew_all;
+    if (fresh.empty()) return knew_all ? Sent::all : Sent::nothing;
     const EntityUpdateMessages messages = broadcast_.entity_update_for(fresh, entities_.form());
     std::size_t bytes = 0;
     for (const SharedBytes& update : messages.entity_updates) bytes += update->size();
-    if (!view_.affords(bytes, quota)) return false;
+    if (!view_.affords(bytes, quota)) return Sent::nothing;
     entities_.send(messages);
     view_.spend(bytes, true);
     for (const auto& entity : fresh) {
         if (known_.size() <= entity->id) known_.resize(entity->id + 1, false);
         known_[entity->id] = true;
     }
-    return knew_all;
+    return Sent::members;
 }
 
 // Sends the removal of entities that the client knows.

@@ -34,9 +34,10 @@ public:
 
 private:
     void update_list(const std::shared_ptr<const EntityList>& list);
-    bool send_cell(const InterestView::PendingCell& part, std::uint32_t tick, bool quota,
+    enum class Sent { nothing, members, all };
+    Sent send_cell(const InterestView::PendingCell& part, std::uint32_t tick, bool quota,
                    SnapshotParts& parts);
-    bool send_members(const snapshot::QuantizedFrame& cell, bool quota);
+    Sent send_members(const snapshot::QuantizedFrame& cell, bool quota);
     bool is_known(EntityId entity) const { return entity < known_.size() && known_[entity]; }
 
     BroadcastCache& broadcast_;

@@ -153,8 +153,8 @@ TEST(SceneErrors, errors_name_line_and_field) {
          "line 2: world.tolerance: -1 is out of range; it must be from 1e-09 to 1000"},
         {"{\"name\": \"a\",\n \"world\": {\"precision\": {\"position\": 5, \"rotation\": 0.1}}}",
          "line 2: world.precision.position: 5 is out of range; it must be from 0.0001 to 1"},
-        {"{\"name\": \"a\",\n \"world\": {\"precision\": {\"position\": 0.1}}}",
-         "line 2: world.precision.rotation: 0 is out of range; it must be from 0.0002 to 0.5"},
+        {"{\"name\": \"a\",\n \"world\": {\"precision\": {\"position\": 0.1, \"rotation\": 9}}}",
+         "line 2: world.precision.rotation: 9 is out of range; it must be from 0.0002 to 0.5"},
         {"{\"name\": \"a\",\n \"world\": {\"substeps\": -1}}",
          "line 2: world.substeps: must be an integer from 0 to 4294967295"},
         {"{\"name\": \"a\",\n \"bodies\": [\n  {\"shapes\": [{\"sphere\": {\"radius\": 1}}],\n"

@@ -88,14 +88,14 @@ struct TestView {
         });
         std::size_t bytes = 0;
         for (const auto& part : view.pending_cells(feed, *cells, number, at(number))) {
-            const SharedBytes sent =
+            const auto [sent, is_keyframe] =
                 feed.encoding(part.state, part.baselines, snapshot::Codec::bits);
             if (!view.affords(sent->size(), part.fresh)) {
                 if (part.fresh) continue;
                 break;
             }
             view.spend(sent->size(), part.fresh);
-            view.on_sent(part, number);
+            view.on_sent(part, is_keyframe, number);
             take(*sent);
             bytes += sent->size();
             sent_at[part.state.id].push_back(number);
@@ -233,7 +233,7 @@ TEST(CellSnapshotCache, removes_cells_that_stay_empty) {
                 .entities = {snapshot::quantize(1, {{1.0 * tick, 1, 0}, {0, 0, 0, 1}}, false, {})}};
         });
         for (const auto& part : client.view.pending_cells(client.feed, *cells, tick, at(tick)))
-            client.view.on_sent(part, tick);
+            client.view.on_sent(part, part.baselines.baseline == 0, tick);
         return cells->size();
     };
     std::size_t most = 0, left = 0;
@@ -251,10 +251,10 @@ TEST(CellSnapshotCache, clients_share_encoded_cells) {
     const FramePtr frame = field.frame(1);
     one.tick(field, 1);
     const auto cells = one.feed.cells(frame, [] { return snapshot::QuantizedFrame(); });
-    const SharedBytes a = one.feed.encoding((*cells)[5].near, {}, snapshot::Codec::bits);
-    EXPECT_EQ(one.feed.encoding((*cells)[5].near, {}, snapshot::Codec::bits), a)
+    const SharedBytes a = one.feed.encoding((*cells)[5].near, {}, snapshot::Codec::bits).bytes;
+    EXPECT_EQ(one.feed.encoding((*cells)[5].near, {}, snapshot::Codec::bits).bytes, a)
         << "a cached encoding must be reused";
-    EXPECT_NE(one.feed.encoding((*cells)[5].near, {}, snapshot::Codec::range), a);
+    EXPECT_NE(one.feed.encoding((*cells)[5].near, {}, snapshot::Codec::range).bytes, a);
 }
 
 }  // namespace

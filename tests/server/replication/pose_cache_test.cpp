@@ -122,7 +122,7 @@ TEST(PoseCache, a_cell_changes_its_precision_with_the_distance_as_a_keyframe) {
                 keyframes += part.baselines.baseline == 0;
             }
             far_of[part.state.id] = part.state.far;
-            view.on_sent(part, tick);
+            view.on_sent(part, part.baselines.baseline == 0, tick);
         }
         for (const CellId cell : view.take_left()) far_of.erase(cell);
     }

@@ -9,8 +9,9 @@ namespace {
 
 constexpr double mean_weight = 1.0 / 8, jitter_weight = 1.0 / 16, jitter_margin_factor = 4;
 constexpr double first_jitter_us = 4000;
-// Errors up to one tick are corrected slowly, because the margins of single inputs differ by that.
-constexpr double speed_correction = 0.05, slow_correction = 0.01, jump_ticks = 10;
+// Errors up to one tick are corrected slowly: the margins of single inputs differ by that, and the
+// error is not worth a visible change of the speed of predicted motion.
+constexpr double speed_correction = 0.05, slow_correction = 0.003, jump_ticks = 10;
 constexpr double tolerance_ticks = 0.25;
 constexpr int consecutive_margins = 3;
 constexpr int margin_timeout_frames = 120;

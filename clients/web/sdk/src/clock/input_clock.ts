@@ -2,7 +2,7 @@
 // so that inputs arrive before their tick. The server reports the margin
 // (ClientUpdate.input_margin_us), and the clock is adjusted until the margin is one tick plus four
 // times its jitter. Within a quarter of a tick of that target the speed is 1. After three consecutive
-// smoothed margins outside, it is 1.01 or 0.99 for as long as necessary, or 1.05 or 0.95 if the error
+// smoothed margins outside, it is 1.003 or 0.997 for as long as necessary, or 1.05 or 0.95 if the error
 // exceeds one tick. An error of more than ten ticks causes a jump.
 // Same algorithm as jostle/client/input_clock.h of the C++ client library. Times in microseconds.
 
@@ -10,9 +10,10 @@ const MEAN_WEIGHT = 1 / 8;
 const JITTER_WEIGHT = 1 / 16;
 const JITTER_MARGIN_FACTOR = 4;
 const FIRST_JITTER_US = 4000;
-// Errors up to one tick are corrected slowly, because the margins of single inputs differ by that.
+// Errors up to one tick are corrected slowly: the margins of single inputs differ by that, and the
+// error is not worth a visible change of the speed of predicted motion.
 const SPEED_CORRECTION = 0.05;
-const SLOW_CORRECTION = 0.01;
+const SLOW_CORRECTION = 0.003;
 const TOLERANCE_TICKS = 0.25;
 const JUMP_TICKS = 10;
 const CONSECUTIVE_MARGINS = 3;

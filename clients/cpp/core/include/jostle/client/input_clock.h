@@ -4,7 +4,7 @@
 // ahead of the server, so that inputs arrive before their tick. The server reports the arrival
 // margin (ClientUpdate.input_margin_us). The clock steers the margin to one tick plus four times
 // its jitter. Within a quarter of a tick of that target the clock runs at normal speed. After three
-// successive smoothed margins outside, it runs at 1.01 or 0.99 times the speed until the error is
+// successive smoothed margins outside, it runs at 1.003 or 0.997 times the speed until the error is
 // corrected, or at 1.05 or 0.95 if the error exceeds one tick. With an error above ten ticks it
 // jumps. One thread at a time.
 #pragma once

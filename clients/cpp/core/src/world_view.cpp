@@ -191,7 +191,9 @@ WorldView::SnapshotTimes WorldView::times_of(const v1::Snapshot& snapshot) const
     constexpr auto most = static_cast<std::int64_t>(latest_time_us);
     const std::int64_t start = epoch_us_ + std::clamp(snapshot.late_us(), -most, most);
     const auto due = [&](std::uint32_t frame) {
-        return start + static_cast<std::int64_t>(std::llround(frame * tick_us_));
+        // The tick rate may be no number.
+        return start + static_cast<std::int64_t>(
+                           std::llround(std::min(static_cast<double>(most), frame * tick_us_)));
     };
     SnapshotTimes times{.due_us = due(snapshot.frame())};
     const auto baselines = snapshot::decode_baseline_frames(snapshot.frame(), snapshot.baselines());

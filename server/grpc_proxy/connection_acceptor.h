@@ -62,7 +62,7 @@ private:
         std::optional<ProxyHeaderReader> proxy_header = {};  // until it is complete
         bool has_first_bytes = false;                        // of TLS
     };
-    // What remains to be done after a step of a handshake.
+    // State of a handshake after one of its steps.
     enum class Progress { waits, done, failed };
 
     void run();

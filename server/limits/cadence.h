@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Cadence classes: the snapshot rates that the server uses. A client of class c gets every n-th of
-// the ticks that it requested; n is a divisor of 60. All clients of a class get the same ticks,
-// those whose number is a multiple of the class's step, so they have the same baselines and share
-// encoded snapshots. A client of its own rate would need its own encodings.
+// the ticks that it requested; n is a divisor of 60, or 120 or 240. All clients of a class get the
+// same ticks, those whose number is a multiple of the class's step, so they have the same baselines
+// and share encoded snapshots. A client of its own rate would need its own encodings.
 #pragma once
 
 #include <algorithm>

@@ -92,8 +92,7 @@ struct Apply {
     Status operator()(const GrabCommand& c) const {
         if (c.deformable)
             return on_deformable(*c.deformable, [&](modules::Deformables& of, auto at) {
-                state.grabs.release(state.world, client);
-                return of.grab(state.world, client, at);
+                return state.grabs.grab_deformable(state.world, client, of, at);
             });
         affected = c.entity;
         const Result<const Entity*> entity = dynamic_entity(c.entity);

@@ -4,7 +4,6 @@
 #include <string>
 
 #include "jostle/base/check.h"
-#include "jostle/modules/deformables.h"
 #include "jostle/modules/player_interaction.h"
 
 namespace jostle::server {
@@ -34,6 +33,14 @@ std::optional<BodyId> Grabs::drag(World& world, ClientId client, Vec3 target) {
     return at->second.body;
 }
 
+Status Grabs::grab_deformable(World& world, ClientId client, modules::Deformables& of,
+                              modules::DeformablePoint at) {
+    if (Status s = of.grab(world, client, at); !s.ok()) return s;
+    release_joint(world, client);
+    release_deformables(world, client, &of);
+    return {};
+}
+
 bool Grabs::drag_deformable(World& world, ClientId client, Vec3 target) const {
     for (const std::string& tag : world.modules())
         if (modules::Deformables* deformables = modules::deformables_of(world, tag))
@@ -42,9 +49,18 @@ bool Grabs::drag_deformable(World& world, ClientId client, Vec3 target) const {
 }
 
 void Grabs::release(World& world, ClientId client) {
+    release_joint(world, client);
+    release_deformables(world, client, nullptr);
+}
+
+void Grabs::release_deformables(World& world, ClientId client, const modules::Deformables* except) {
     for (const std::string& tag : world.modules())
-        if (modules::Deformables* deformables = modules::deformables_of(world, tag))
+        if (modules::Deformables* deformables = modules::deformables_of(world, tag);
+            deformables != nullptr && deformables != except)
             deformables->release(client);
+}
+
+void Grabs::release_joint(World& world, ClientId client) {
     const auto at = held_.find(client);
     if (at == held_.end()) return;
     static_cast<void>(world.destroy_joint(at->second.joint).ok());  // it may be removed already

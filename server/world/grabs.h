@@ -8,6 +8,7 @@
 #include <map>
 #include <optional>
 
+#include "jostle/modules/deformables.h"
 #include "jostle/physics/world.h"
 #include "server/world/command.h"
 #include "server/world/saved_host_state.h"
@@ -23,7 +24,11 @@ public:
     // client has no grab.
     std::optional<physics::BodyId> drag(physics::World& world, ClientId client,
                                         physics::Vec3 target);
-    // The same for a grabbed rope or cloth, whose module knows the client's grab. False: none.
+    // Grabs a node or vertex and releases the client's previous grab. Errors are those of
+    // Deformables::grab(), without effect.
+    physics::Status grab_deformable(physics::World& world, ClientId client,
+                                    modules::Deformables& of, modules::DeformablePoint at);
+    // Like drag(), for a grabbed rope or cloth. False: the client has none.
     bool drag_deformable(physics::World& world, ClientId client, physics::Vec3 target) const;
     void release(physics::World& world, ClientId client);
     // Releases the grabs of all clients on the body.
@@ -37,6 +42,11 @@ private:
         physics::BodyId body;
         physics::JointId joint;
     };
+    void release_joint(physics::World& world, ClientId client);
+    // `except`: keeps its grab; null: none.
+    static void release_deformables(physics::World& world, ClientId client,
+                                    const modules::Deformables* except);
+
     std::map<ClientId, Held> held_;
 };
 

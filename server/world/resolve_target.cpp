@@ -114,8 +114,11 @@ Status resolve_aim(const HostedState& state, const FrameRing& past, const Entity
     }
     const auto deformable = modules::cast_ray_at_deformables(state.world, {aim.origin, aim.motion});
     if (deformable && (!hit.ok() || deformable->fraction < hit->fraction)) {
-        set_deformable(action, {deformable->module, deformable->at.object, deformable->at.element},
-                       deformable->position);
+        // The nearest point may be attached, so that it cannot be grabbed.
+        const auto at = modules::deformables_of(state.world, deformable->module)
+                            ->nearest(deformable->at.object, deformable->position);
+        ASSERT(at);
+        set_deformable(action, {deformable->module, at->object, at->element}, deformable->position);
         return {};
     }
     if (!hit.ok()) return hit.error();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What names the client of a connection or a request: PROXY headers in pieces, X-Forwarded-For,
-// Forwarded, origins and the first bytes of a connection.
+// Input that names the client of a connection or a request: PROXY headers in pieces,
+// X-Forwarded-For, Forwarded, origins and the first bytes of a connection.
 #include <algorithm>
 
 #include "server/config/origin.h"

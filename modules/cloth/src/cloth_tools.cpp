@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "jostle/modules/cloth.h"
-#include "jostle/modules/spread_impulse.h"
+#include "jostle/modules/mass_points.h"
 #include "jostle/physics/scalar.h"
 #include "modules/cloth/src/cloth_data.h"
 #include "modules/cloth/src/cloth_step.h"
@@ -72,13 +72,15 @@ bool may_meet(const Ray& ray, const Sheet& sheet) {
     return first <= last + 1e-9;
 }
 
-std::uint32_t nearest_vertex(const Sheet& sheet, Vec3 point) {
-    std::size_t best = 0;
-    for (std::size_t k = 1; k < sheet.size(); k++)
-        if (length_squared(sheet.position(k) - point) <
-            length_squared(sheet.position(best) - point))
-            best = k;
-    return static_cast<std::uint32_t>(best);
+bool is_attached(const Cloth& cloth, std::uint32_t vertex) {
+    return std::ranges::binary_search(cloth.attachments, vertex, {}, &ClothAttachment::vertex);
+}
+
+// Of all vertices, or of the free ones if there are any.
+std::uint32_t nearest_vertex(const Cloth& cloth, Vec3 point, bool free) {
+    return nearest_element(
+        cloth.sheet.size(), point, [&](std::size_t k) { return cloth.sheet.position(k); },
+        [&](std::uint32_t vertex) { return !free || !is_attached(cloth, vertex); });
 }
 
 // A third of the area of the triangles at each vertex, as a vector normal to them, m^2.
@@ -115,7 +117,7 @@ std::optional<DeformableHit> Cloths::cast_ray(const Ray& ray) const {
 std::optional<DeformablePoint> Cloths::nearest(std::uint32_t object, Vec3 point) const {
     const Cloth* cloth = find({object});
     if (cloth == nullptr || !is_finite(point)) return std::nullopt;
-    return DeformablePoint{object, nearest_vertex(cloth->sheet, point)};
+    return DeformablePoint{object, nearest_vertex(*cloth, point, true)};
 }
 
 Status Cloths::push(World&, DeformablePoint at, Vec3 impulse) {
@@ -140,12 +142,11 @@ Status Cloths::grab(World& world, std::uint32_t holder, DeformablePoint at) {
     Cloth* cloth = find({at.object});
     if (cloth == nullptr) return unknown(at.object);
     if (at.element >= cloth->sheet.size()) return no_vertex(at.element);
-    release(holder);
-    if (std::ranges::find(cloth->attachments, at.element, &ClothAttachment::vertex) !=
-        cloth->attachments.end())
+    if (is_attached(*cloth, at.element))
         return Error{ErrorCode::failed_precondition,
                      "vertex " + std::to_string(at.element) + " is attached or held already"};
     if (Status s = attach(world, cloth->key, {.vertex = at.element}); !s.ok()) return s;
+    release(holder);
     std::ranges::find(cloth->attachments, at.element, &ClothAttachment::vertex)->holder = holder;
     cloth->bodies.add_grab(
         make_point_grab(holder, cloth->sheet.position(at.element), mass_of(cloth->sheet)));
@@ -173,7 +174,7 @@ Status Cloths::cut_at(World& world, std::uint32_t object, Vec3 point) {
     if (cloth == nullptr) return unknown(object);
     if (!is_finite(point))
         return Error{ErrorCode::invalid_argument, "point: is not finite; must be a point in m"};
-    const Vec3 at = cloth->sheet.position(nearest_vertex(cloth->sheet, point));
+    const Vec3 at = cloth->sheet.position(nearest_vertex(*cloth, point, false));
     const Result<std::uint32_t> torn = tear(world, {object}, at, 0);
     if (!torn.ok()) return torn.error();
     if (*torn > 0) return {};

@@ -234,8 +234,9 @@ void CarriedBodies::write(SubstepContext* group) {
 
 void CarriedBodies::pull_grabs(double h) {
     for (CarriedBody& body : bodies_) {
-        if (body.holder == 0) continue;
-        PointGrab now = *grab(body.holder);
+        const PointGrab* held = body.holder == 0 ? nullptr : grab(body.holder);
+        if (held == nullptr) continue;  // also if a listener released it in this step
+        PointGrab now = *held;
         now.position = body.center;
         now.velocity = body.velocity;
         body.response.acceleration = now.pull(h);
@@ -273,10 +274,11 @@ bool CarriedBodies::finish_step(World& world) {
     for (const CarriedBody& body : bodies_) {
         if (body.type != BodyType::dynamic) continue;
         if (body.holder != 0) {
-            PointGrab& held = *grab(body.holder);
-            held.position = body.center;
-            held.velocity = body.velocity;
             rest = false;
+            PointGrab* held = grab(body.holder);
+            if (held == nullptr) continue;
+            held->position = body.center;
+            held->velocity = body.velocity;
             continue;
         }
         rest = rest && !is_moving(world, body.id);

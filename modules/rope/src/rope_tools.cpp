@@ -5,8 +5,8 @@
 #include <string>
 #include <utility>
 
+#include "jostle/modules/mass_points.h"
 #include "jostle/modules/rope.h"
-#include "jostle/modules/spread_impulse.h"
 #include "jostle/physics/scalar.h"
 #include "modules/rope/src/rope_data.h"
 #include "modules/rope/src/rope_step.h"
@@ -57,13 +57,8 @@ std::optional<double> enter(const Ray& ray, Vec3 a, Vec3 b, double radius, doubl
     return maximum(s - square_root((radius * radius - apart2) / across), 0);
 }
 
-std::uint32_t nearest_node(const Strand& strand, Vec3 point) {
-    std::size_t best = 0;
-    for (std::size_t k = 1; k < strand.positions.size(); k++)
-        if (length_squared(strand.positions[k] - point) <
-            length_squared(strand.positions[best] - point))
-            best = k;
-    return static_cast<std::uint32_t>(best);
+bool is_attached(const Rope& rope, std::uint32_t node) {
+    return std::ranges::binary_search(rope.attachments, node, {}, &RopeAttachment::node);
 }
 
 }  // namespace
@@ -89,7 +84,11 @@ std::optional<DeformableHit> Ropes::cast_ray(const Ray& ray) const {
 std::optional<DeformablePoint> Ropes::nearest(std::uint32_t object, Vec3 point) const {
     const Rope* rope = find({object});
     if (rope == nullptr || !is_finite(point)) return std::nullopt;
-    return DeformablePoint{object, nearest_node(rope->strand, point)};
+    return DeformablePoint{object,
+                           nearest_element(
+                               rope->strand.positions.size(), point,
+                               [&](std::size_t k) { return rope->strand.positions[k]; },
+                               [&](std::uint32_t node) { return !is_attached(*rope, node); })};
 }
 
 Status Ropes::push(World&, DeformablePoint at, Vec3 impulse) {
@@ -115,12 +114,11 @@ Status Ropes::grab(World& world, std::uint32_t holder, DeformablePoint at) {
     if (rope == nullptr) return unknown(at.object);
     if (at.element > rope->strand.links())
         return Error{ErrorCode::not_found, "the rope has no node " + std::to_string(at.element)};
-    release(holder);
-    if (std::ranges::find(rope->attachments, at.element, &RopeAttachment::node) !=
-        rope->attachments.end())
+    if (is_attached(*rope, at.element))
         return Error{ErrorCode::failed_precondition,
                      "node " + std::to_string(at.element) + " is attached or held already"};
     if (Status s = attach(world, rope->key, {.node = at.element}); !s.ok()) return s;
+    release(holder);
     std::ranges::find(rope->attachments, at.element, &RopeAttachment::node)->holder = holder;
     rope->bodies.add_grab(
         make_point_grab(holder, rope->strand.positions[at.element], mass_of(rope->strand)));

@@ -37,7 +37,7 @@ def after_snapshot(client, number):
 
 
 class Observation:
-    """What a correct client knows, message by message."""
+    """The knowledge of a correct client, message by message."""
 
     def __init__(self):
         self.snapshots = []

@@ -60,7 +60,7 @@ TEST(ClothTools, push_gives_its_momentum_and_limits_the_speed) {
     EXPECT_NEAR(scene.cloths.velocities(scene.cloth)[60].x, 20, 1e-5);
 }
 
-TEST(ClothTools, hand_lifts_a_sheet) {
+TEST(ClothTools, grab_lifts_a_sheet) {
     Scene scene = loose_sheet({0, -9.81, 0});
     test::must(scene.cloths.grab(scene.world, 7, {scene.cloth.number, 0}));
     test::run(scene.world, 4);

@@ -4,6 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
 #include "jostle/modules/rope.h"
 #include "tests/modules/module_determinism.h"
 #include "tests/support/error_of.h"
@@ -71,7 +75,7 @@ TEST(RopeTools, push_gives_its_momentum_and_limits_the_speed) {
     EXPECT_NEAR(scene.ropes.velocities(scene.rope)[10].z, 20, 1e-12);
 }
 
-TEST(RopeTools, hand_lifts_a_rope) {
+TEST(RopeTools, grab_lifts_a_rope) {
     Scene scene = loose_rope({0, -9.81, 0});
     test::must(scene.ropes.grab(scene.world, 7, {scene.rope.number, 0}));
     for (int k = 0; k < 300; k++) {
@@ -88,7 +92,7 @@ TEST(RopeTools, hand_lifts_a_rope) {
 }
 
 // A grab pulls with at most 200 m/s^2 times the mass of the rope.
-TEST(RopeTools, hand_cannot_pull_out_an_anchor) {
+TEST(RopeTools, grab_cannot_pull_out_an_anchor) {
     Scene scene = loose_rope();
     test::must(scene.ropes.attach(scene.world, scene.rope, {.node = 0, .point = {0, 1, 0}}));
     test::must(scene.ropes.grab(scene.world, 7, {scene.rope.number, 20}));
@@ -112,7 +116,16 @@ TEST(RopeTools, refusals_name_what_is_wrong) {
         HasSubstr("use grab()"));
 }
 
-TEST(RopeTools, hand_stays_with_its_part_of_a_cut_rope) {
+TEST(RopeTools, nearest_prefers_free_nodes) {
+    Scene scene = loose_rope();
+    EXPECT_EQ(scene.ropes.nearest(scene.rope.number, {0.11, 1, 0})->element, 2u);
+    test::must(scene.ropes.attach(scene.world, scene.rope, {.node = 2, .point = {0.1, 1, 0}}));
+    EXPECT_EQ(scene.ropes.nearest(scene.rope.number, {0.11, 1, 0})->element, 3u);
+    EXPECT_FALSE(scene.ropes.nearest(scene.rope.number, {0, std::nan(""), 0}));
+    EXPECT_FALSE(scene.ropes.nearest(99, {}));
+}
+
+TEST(RopeTools, grab_stays_with_its_part_of_a_cut_rope) {
     Scene scene = loose_rope();
     test::must(scene.ropes.grab(scene.world, 7, {scene.rope.number, 15}));
     test::must(scene.ropes.cut_at(scene.world, scene.rope.number, {0.5, 1, 0}));
@@ -128,7 +141,7 @@ TEST(RopeTools, hand_stays_with_its_part_of_a_cut_rope) {
     EXPECT_EQ(scene.ropes.ropes().size(), 3u);
 }
 
-TEST(RopeTools, attaching_a_held_node_releases_the_hand) {
+TEST(RopeTools, attaching_a_held_node_releases_the_grab) {
     Scene scene = loose_rope();
     test::must(scene.ropes.grab(scene.world, 7, {scene.rope.number, 0}));
     test::must(scene.ropes.attach(scene.world, scene.rope, {.node = 0, .point = {0, 1, 0}}));

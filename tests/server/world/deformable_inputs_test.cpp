@@ -94,6 +94,27 @@ TEST_F(DeformableInputs, client_that_leaves_releases_the_rope) {
     }
 }
 
+TEST_F(DeformableInputs, refused_grab_keeps_the_previous_one) {
+    start("swings");
+    const PointObjectDescription rope = object(physics::PointForm::strands);
+    const Vec3 at = node(rope.key, 3);
+    ASSERT_TRUE(apply(GrabCommand{.point = at, .point_object = rope.id}).status.ok());
+    const Action attached = GrabCommand{.deformable = DeformableTarget{"rope", rope.key, 0}};
+    EXPECT_EQ(error_of(apply(attached).status).code, ErrorCode::failed_precondition);
+    EXPECT_TRUE(apply(DragCommand{at}).status.ok());
+}
+
+// Two clients pull at the same place, and the end of the rope is attached to its frame.
+TEST_F(DeformableInputs, grab_takes_the_nearest_free_point) {
+    start("swings");
+    const PointObjectDescription rope = object(physics::PointForm::strands);
+    const std::size_t before = ropes().attachments({rope.key}).size();
+    for (const ClientId client : {1u, 2u})
+        EXPECT_TRUE(apply(GrabCommand{.point = node(rope.key, 0), .point_object = rope.id}, client)
+                        .status.ok());
+    EXPECT_EQ(ropes().attachments({rope.key}).size(), before + 2);
+}
+
 TEST_F(DeformableInputs, aim_hits_a_rope_before_the_ground) {
     start("swings");
     const PointObjectDescription rope = object(physics::PointForm::strands);

@@ -10,11 +10,11 @@ namespace {
 
 constexpr int max_energy_rounds = 16;
 // The matrix is rebuilt if a correction other than the first leaves more than this fraction of the
-// error. What the first one leaves is of second order in it.
+// error. The first one leaves an error of second order.
 constexpr double slow_correction = 0.35;
-// What may remain of the first error, which is about that of the step itself, as in W. E. Milne's
-// device ("Numerical solution of differential equations", 1953), but at most `left_most` metres in
-// a group of links of 0.5 m.
+// The share of the first error that may remain. That error is about as large as the error of the
+// step itself, as in W. E. Milne's device ("Numerical solution of differential equations", 1953),
+// but at most `left_most` metres in a group of links of 0.5 m.
 constexpr double left_share = 0.1, left_most = 1e-4;
 
 }  // namespace

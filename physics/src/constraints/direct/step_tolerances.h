@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// What the steps of a direct group may leave over, and how much energy that may change.
+// Tolerances of the steps of a direct group: joint error, and the energy that it may change.
 #pragma once
 
 #include "jostle/physics/scalar.h"

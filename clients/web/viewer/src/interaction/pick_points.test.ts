@@ -1,21 +1,12 @@
-import { create, type MessageInitShape } from '@bufbuild/protobuf';
 import * as THREE from 'three';
 import { describe, expect, it } from 'vitest';
-import { PointObjectView } from '@jostle/client';
-import { PointForm, PointObjectSchema } from '@jostle/client/gen/play_pb';
+import { PointForm } from '@jostle/client/gen/play_pb';
 import { pickPoints } from './pick_points';
-
-function view(description: MessageInitShape<typeof PointObjectSchema>, positions: number[]): PointObjectView {
-  const made = new PointObjectView(create(PointObjectSchema, { stepUm: 1000, ...description }), 1);
-  Object.defineProperty(made, 'hasPoints', { value: true });
-  made.positions = Float32Array.from(positions);
-  made.count = positions.length / 3;
-  return made;
-}
+import { pointObject } from '../testing/point_object';
 
 const down = (x: number, z: number) => new THREE.Ray(new THREE.Vector3(x, 10, z), new THREE.Vector3(0, -1, 0));
-const rope = view({ form: PointForm.STRANDS, points: 3, strands: [3], radius: 0.02 }, [0, 0, 0, 1, 0, 0, 2, 0, 0]);
-const sheet = view({ form: PointForm.GRID, points: 6, columns: 3 }, [0, 1, 0, 1, 1, 0, 2, 1, 0, 0, 1, 1, 1, 1, 1, 2, 1, 1]);
+const rope = pointObject({ form: PointForm.STRANDS, points: 3, strands: [3], radius: 0.02 }, [0, 0, 0, 1, 0, 0, 2, 0, 0]);
+const sheet = pointObject({ form: PointForm.GRID, points: 6, columns: 3 }, [0, 1, 0, 1, 1, 0, 2, 1, 0, 0, 1, 1, 1, 1, 1, 2, 1, 1]);
 
 describe('picking point objects', () => {
   it('hits a rope within ten pixels', () => {
@@ -38,8 +29,8 @@ describe('picking point objects', () => {
   });
 
   it('ignores loose points and objects in the frame of an entity', () => {
-    const loose = view({ form: PointForm.LOOSE }, [0, 0, 0]);
-    const attached = view({ form: PointForm.STRANDS, points: 2, strands: [2], entity: 7 }, [0, 0, 0, 1, 0, 0]);
+    const loose = pointObject({ form: PointForm.LOOSE }, [0, 0, 0]);
+    const attached = pointObject({ form: PointForm.STRANDS, points: 2, strands: [2], entity: 7 }, [0, 0, 0, 1, 0, 0]);
     expect(
       pickPoints(
         new Map([

@@ -1,4 +1,4 @@
-// Picks ropes and cloth. Thin ropes are picked a few pixels beside them.
+// Picks ropes and cloth. A ray that passes a rope within a few pixels hits it.
 
 import * as THREE from 'three';
 import type { PointObjectView } from '@jostle/client';

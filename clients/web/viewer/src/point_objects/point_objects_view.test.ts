@@ -1,20 +1,10 @@
 import * as THREE from 'three';
 import { describe, expect, it } from 'vitest';
-import { PointObjectView } from '@jostle/client';
-import { PointForm, PointObjectSchema } from '@jostle/client/gen/play_pb';
-import { create, type MessageInitShape } from '@bufbuild/protobuf';
+import { PointForm } from '@jostle/client/gen/play_pb';
 import { PointObjectsView } from './point_objects_view';
 import { gridNormals, gridTriangles } from './surface_geometry';
 import { ringsOf, tubeTriangles, writeTube } from './tube_geometry';
-
-/** An object with sampled positions, which did not come from a server. */
-function view(description: MessageInitShape<typeof PointObjectSchema>, positions: number[]): PointObjectView {
-  const made = new PointObjectView(create(PointObjectSchema, { stepUm: 1000, ...description }), 1);
-  Object.defineProperty(made, 'hasPoints', { value: true });
-  made.positions = Float32Array.from(positions);
-  made.count = positions.length / 3;
-  return made;
-}
+import { pointObject } from '../testing/point_object';
 
 const plane = (columns: number, rows: number) => Array.from({ length: columns * rows }, (_, k) => [k % columns, 0, Math.floor(k / columns)]).flat();
 const noPose = () => undefined;
@@ -24,11 +14,11 @@ describe('point objects', () => {
     const scene = new THREE.Scene();
     const drawn = new PointObjectsView(scene);
     const objects = new Map([
-      [1, view({ form: PointForm.LOOSE }, [1, 2, 3, 4, 5, 6])],
-      [2, view({ form: PointForm.STRANDS, points: 3, strands: [3] }, [0, 0, 0, 1, 0, 0, 2, 0, 0])],
-      [3, view({ form: PointForm.GRID, points: 6, columns: 3 }, plane(3, 2))],
-      [4, view({ form: PointForm.TRIANGLES, points: 3, triangles: [0, 1, 1] }, plane(3, 1))],
-      [5, view({ form: PointForm.HEIGHTS, points: 6, columns: 3 }, plane(3, 2))],
+      [1, pointObject({ form: PointForm.LOOSE }, [1, 2, 3, 4, 5, 6])],
+      [2, pointObject({ form: PointForm.STRANDS, points: 3, strands: [3] }, [0, 0, 0, 1, 0, 0, 2, 0, 0])],
+      [3, pointObject({ form: PointForm.GRID, points: 6, columns: 3 }, plane(3, 2))],
+      [4, pointObject({ form: PointForm.TRIANGLES, points: 3, triangles: [0, 1, 1] }, plane(3, 1))],
+      [5, pointObject({ form: PointForm.HEIGHTS, points: 6, columns: 3 }, plane(3, 2))],
     ]);
     drawn.update(objects, noPose);
     expect(drawn.count).toBe(5);
@@ -41,7 +31,7 @@ describe('point objects', () => {
   it('attached to an entity move with it and are hidden without it', () => {
     const scene = new THREE.Scene();
     const drawn = new PointObjectsView(scene);
-    const objects = new Map([[1, view({ form: PointForm.LOOSE, entity: 7 }, [0, 0, 0])]]);
+    const objects = new Map([[1, pointObject({ form: PointForm.LOOSE, entity: 7 }, [0, 0, 0])]]);
     drawn.update(objects, noPose);
     expect(drawn.count).toBe(0);
     drawn.update(objects, (entity) => (entity === 7 ? [1, 2, 3, 0, 0, 0, 1] : undefined));

@@ -25,10 +25,10 @@ struct PressurePulse {
     physics::Vec3 center = {};  ///< m
     double radius = 0;          ///< m; the pulse is zero beyond it
     double max_speed = 0;       ///< m/s: no part gains more speed than this
-    /// Impulse per area that faces the center at a point (m), away from the center, N s/m^2.
+    /// Impulse per area that faces the centre at a point (m), away from the centre, N s/m^2.
     std::function<physics::Vec3(physics::Vec3 point)> impulse_per_area = {};
 
-    /// Velocity change (m/s) of a mass (kg) with an area (m^2) that faces the center.
+    /// Velocity change (m/s) of a mass (kg) with an area (m^2) that faces the centre.
     physics::Vec3 change_of(physics::Vec3 point, double area, double mass) const;
 };
 
@@ -60,8 +60,9 @@ class Deformables : public PulseReceiver {
 public:
     /// Returns the first intersection of a ray, nothing if there is none.
     virtual std::optional<DeformableHit> cast_ray(const physics::Ray& ray) const = 0;
-    /// Returns the node or vertex of an object that is nearest to a point (m); nothing for an
-    /// unknown object or a point that is not finite.
+    /// Returns the node or vertex of an object that is nearest to a point (m), of those that are
+    /// neither attached nor held if there are any; nothing for an unknown object or a point that is
+    /// not finite.
     virtual std::optional<DeformablePoint> nearest(std::uint32_t object,
                                                    physics::Vec3 point) const = 0;
     /// Applies an impulse (N s), spread over the nodes or vertices within push_radius. None of them
@@ -70,9 +71,9 @@ public:
     virtual physics::Status push(physics::World& world, DeformablePoint at,
                                  physics::Vec3 impulse) = 0;
     /// Grabs a node or vertex, instead of the previous grab of the same holder in this module. The
-    /// target of the grab is the present position (point_grab.h). Errors: not_found;
-    /// failed_precondition if it is attached or held already, or if the object cannot have more
-    /// attachments; invalid_argument for the holder 0.
+    /// target of the grab is the present position (point_grab.h). Errors, without effect:
+    /// not_found; failed_precondition if it is attached or held already, or if the object cannot
+    /// have more attachments; invalid_argument for the holder 0.
     virtual physics::Status grab(physics::World& world, std::uint32_t holder,
                                  DeformablePoint at) = 0;
     /// Moves the target of a grab (m, world; each component within 1e6). Returns false if the

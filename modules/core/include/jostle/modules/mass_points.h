@@ -1,15 +1,35 @@
 // SPDX-License-Identifier: MIT
 //
-// Spreads an impulse over the mass points of a deformable object near the point where it acts.
+// Helpers for modules whose deformable objects consist of mass points.
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
+#include <utility>
 #include <vector>
 
 #include "jostle/modules/deformables.h"
 #include "jostle/physics/scalar.h"
 
 namespace jostle::modules {
+
+/// Index of the mass point that is nearest to a point (m), of those for which `is_free(index)` if
+/// there are any. `count` is at least 1; `position_of(index)` in m.
+template <class GetPosition, class IsFree>
+std::uint32_t nearest_element(std::size_t count, physics::Vec3 point,
+                              const GetPosition& position_of, const IsFree& is_free) {
+    const auto rank = [&](std::uint32_t k) {
+        return std::pair(!is_free(k), physics::length_squared(position_of(k) - point));
+    };
+    std::uint32_t best = 0;
+    auto best_rank = rank(0);
+    for (std::uint32_t k = 1; k < count; k++)
+        if (const auto own = rank(k); own < best_rank) {
+            best = k;
+            best_rank = own;
+        }
+    return best;
+}
 
 /// Velocity changes (m/s) of `count` mass points by an impulse (N s) at a point (m), spread with
 /// the weights (1 - (d / push_radius)^2) times mass; none exceeds Deformables::push_speed_max.

@@ -120,6 +120,14 @@ function(jostle_unoptimised_when_sanitized)
     endif()
 endfunction()
 
+# Folders whose code mostly calls libraries set JOSTLE_UNOPTIMISED: compiling it without optimisation takes two thirds of
+# the time, and a debug build runs as fast.
+function(jostle_optimisation target)
+    if(JOSTLE_UNOPTIMISED AND CMAKE_BUILD_TYPE STREQUAL "Debug" AND NOT JOSTLE_SANITIZE)
+        target_compile_options(${target} PRIVATE -O0)
+    endif()
+endfunction()
+
 # Static library: jostle_library(NAME SOURCES a.cpp ... [PUBLIC libs...] [PRIVATE libs...] [INCLUDE folder of public
 # headers])
 function(jostle_library name)
@@ -130,6 +138,7 @@ function(jostle_library name)
     endif()
     target_compile_features(${name} PUBLIC cxx_std_20)
     target_link_libraries(${name} PUBLIC ${arg_PUBLIC} PRIVATE ${arg_PRIVATE} $<BUILD_INTERFACE:jostle_flags>)
+    jostle_optimisation(${name})
     jostle_precompiled(${name} libraries)
     jostle_unity_build(${name})
 endfunction()
@@ -139,6 +148,7 @@ function(jostle_program name)
     cmake_parse_arguments(arg "SEPARATE_SOURCES" "" "SOURCES;LINK" ${ARGN})
     add_executable(${name} ${arg_SOURCES})
     target_link_libraries(${name} PRIVATE ${arg_LINK} jostle_flags)
+    jostle_optimisation(${name})
     if(NOT "GTest::gtest_main" IN_LIST arg_LINK)  # for base/command_line; tests share a precompiled header
         target_compile_definitions(${name} PRIVATE JOSTLE_VERSION="${PROJECT_VERSION}")
     endif()

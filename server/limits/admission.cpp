@@ -102,6 +102,7 @@ struct Check {
     }
     Status operator()(const LeaveCommand&) const { return {}; }
     Status operator()(const DisconnectCommand&) const { return {}; }
+    Status operator()(const RoomCommand& c) const { return check_room_command(c); }
 
 private:
     static Status check_shape(const physics::Geometry& geometry) {

@@ -12,6 +12,7 @@
 #include "jostle/v1/play.pb.h"
 #include "server/limits/admission.h"
 #include "server/messages/message_parts.h"
+#include "server/messages/room_message.h"
 
 namespace jostle::server {
 
@@ -131,6 +132,11 @@ Result<Action> action_of(const v1::Input& input) {
             return Action{PossessCommand{input.possess().entity()}};
         case v1::Input::kControl:
             return action_of(input.control());
+        case v1::Input::kRoom: {
+            Result<RoomCommand> command = room_command_from_message(input.room());
+            if (!command.ok()) return command.error();
+            return Action{*std::move(command)};
+        }
         case v1::Input::KIND_NOT_SET:
             break;
     }
@@ -180,6 +186,10 @@ Result<ClientMessage> decode(const v1::Hello& hello) {
         return invalid_argument(fmt::format("hello.channels has {} entries; at most {} are allowed",
                                             hello.channels_size(), hello_channels_max));
     }
+    if (hello.join_code().size() > join_code_bytes_max) {
+        return invalid_argument(fmt::format("hello.join_code has {} bytes; at most {} are allowed",
+                                            hello.join_code().size(), join_code_bytes_max));
+    }
     if (hello.resume().token().size() > resume_token_bytes_max) {
         return invalid_argument(
             fmt::format("hello.resume.token has {} bytes; at most {} are allowed",
@@ -203,7 +213,8 @@ Result<ClientMessage> decode(const v1::Hello& hello) {
                                .packed_entities = hello.packed_entities(),
                                .datagrams = hello.datagrams(),
                                .resumable = hello.resumable(),
-                               .resume = std::move(resume)}};
+                               .resume = std::move(resume),
+                               .join_code = hello.join_code()}};
 }
 
 Result<ClientMessage> decode(const v1::InputBatch& batch) {

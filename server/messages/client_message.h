@@ -21,6 +21,7 @@ namespace jostle::server {
 inline constexpr std::uint32_t protocol_version = 1;
 inline constexpr std::size_t client_name_bytes_max = 32;
 inline constexpr int hello_channels_max = 64;
+inline constexpr std::size_t join_code_bytes_max = RoomProperties::join_code_bytes_max;
 inline constexpr std::size_t resume_token_bytes_max = 256;
 inline constexpr std::uint32_t hello_kbps_min = 16;
 inline constexpr std::uint32_t ack_delay_ms_max = 60'000;
@@ -45,6 +46,7 @@ struct Hello {
         std::uint32_t frame = 0;  // 0: none
     };
     std::optional<Resume> resume = {};
+    std::string join_code = {};  // of a private room
 };
 struct Ack {
     std::uint32_t frame = 0;

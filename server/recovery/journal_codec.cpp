@@ -9,6 +9,7 @@
 
 #include "jostle/scenes/shape_message.h"
 #include "server/util/bytes.h"
+#include "server/world/room_codec.h"
 
 namespace jostle::server {
 namespace {
@@ -16,10 +17,11 @@ namespace {
 using physics::Vec3;
 
 // See docs/design/format_changes.md. Version 2 has no rewinds, version 3 no undos, version 4 no
-// targets on ropes and cloths. Segments are written in the oldest version that can hold them, which
-// older servers read.
-constexpr std::uint64_t version_of_rewinds = 3, version_of_undos = 4, version_of_deformables = 5;
-constexpr std::uint64_t journal_version = version_of_deformables, oldest_version = 2;
+// targets on ropes and cloths, version 5 no room commands. Segments are written in the oldest
+// version that can hold them, which older servers read.
+constexpr std::uint64_t version_of_rewinds = 3, version_of_undos = 4, version_of_deformables = 5,
+                        version_of_rooms = 7;
+constexpr std::uint64_t journal_version = version_of_rooms, oldest_version = 2;
 constexpr std::uint64_t no_action = 255;  // in place of an action kind
 
 // visit_action() lists the fields of each kind of action once; a JournalWriter writes them, a
@@ -46,6 +48,7 @@ struct JournalWriter {
     void operator()(const physics::Quat& q) {
         for (const double value : {q.x, q.y, q.z, q.w}) to.real(value);
     }
+    void room(const RoomCommand& command) { to.text(encode_room_command(command)); }
     void shape(const SpawnCommand& spawn) {
         to.text(spawn.shape_bytes.empty() ? scenes::shape_bytes(spawn.shape) : spawn.shape_bytes);
     }
@@ -71,6 +74,15 @@ struct JournalReader {
     void operator()(Vec3& v) { v.x = from.real(), v.y = from.real(), v.z = from.real(); }
     void operator()(physics::Quat& q) {
         q.x = from.real(), q.y = from.real(), q.z = from.real(), q.w = from.real();
+    }
+    void room(RoomCommand& command) {
+        const std::string_view bytes = from.text();
+        if (!from.ok() || !status.ok()) return;
+        Result<RoomCommand> decoded = decode_room_command(bytes);
+        if (decoded.ok())
+            command = *std::move(decoded);
+        else
+            status = decoded.error();
     }
     void shape(SpawnCommand& spawn) {
         spawn.shape_bytes = from.text();
@@ -109,6 +121,8 @@ void visit_action(Visitor& v, Command& c) {
     } else if constexpr (std::is_same_v<Kind, ControlCommand>) {
         for (auto& axis : c.controls.axes) v(axis);
         v(c.controls.buttons);
+    } else if constexpr (std::is_same_v<Kind, RoomCommand>) {
+        v.room(c);
     } else if constexpr (std::is_same_v<Kind, LeaveCommand>) {
         v(c.retain_bodies);
     } else {
@@ -138,10 +152,17 @@ bool is_at_deformable(const JournaledCommand& command) {
     return std::holds_alternative<CutCommand>(action);
 }
 
+bool is_about_room(const JournaledCommand& command) {
+    return command.action && std::holds_alternative<RoomCommand>(*command.action);
+}
+
 std::uint64_t version_of(const JournalSegment& segment) {
-    for (const JournaledTick& tick : segment.ticks)
-        if (std::ranges::any_of(tick.commands, is_at_deformable)) return version_of_deformables;
-    return segment.undo ? version_of_undos : version_of_rewinds;
+    std::uint64_t version = segment.undo ? version_of_undos : version_of_rewinds;
+    for (const JournaledTick& tick : segment.ticks) {
+        if (std::ranges::any_of(tick.commands, is_about_room)) return version_of_rooms;
+        if (std::ranges::any_of(tick.commands, is_at_deformable)) version = version_of_deformables;
+    }
+    return version;
 }
 
 Error not_a_journal(const std::string& why) {

@@ -13,6 +13,7 @@
 #include "jostle/scenes/scene_file.h"
 #include "server/storage/compression.h"
 #include "server/util/bytes.h"
+#include "server/world/room_codec.h"
 
 namespace jostle::server {
 namespace {
@@ -37,6 +38,7 @@ struct Content {
     std::vector<SavedHostState::ProcessedInput> processed;
     std::vector<EntityId> quarantined;
     std::vector<std::string> omitted;
+    std::string room = {};  // encode_room(); empty: the world is no room
 };
 
 struct Writer {
@@ -93,6 +95,7 @@ Result<Content> read(std::string_view bytes) {
                          "; this server reads version " + std::to_string(portable_version)};
     Content content;
     visit(reader, content);
+    if (reader.from.ok() && !reader.from.at_end()) reader(content.room);
     if (!reader.from.ok()) return not_portable("unexpected end of data");
     if (!(content.work_per_second >= 0 && std::isfinite(content.work_per_second)))
         return not_portable("a value is out of range");
@@ -150,6 +153,10 @@ Result<SavedHostState> host_state_of(const Content& content, std::uint32_t tick,
     }
     for (const EntityId id : content.quarantined)
         if (entities.contains(id)) host_state.quarantined.push_back(id);
+    if (content.room.empty()) return host_state;
+    Result<RoomState> room = decode_room(content.room);
+    if (!room.ok()) return room.error();
+    host_state.room = *std::move(room);
     return host_state;
 }
 
@@ -208,6 +215,7 @@ PortableForm encode_portable(HostedWorld& world, std::uint32_t tick,
     Writer writer;
     writer.to.number(portable_version);
     visit(writer, std::as_const(content));
+    if (host_state.room) writer(encode_room(*host_state.room));
     const std::string bytes = writer.to.take();
     return {compress(bytes), std::move(content.omitted)};
 }

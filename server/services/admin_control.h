@@ -24,12 +24,18 @@ class DrainRequest;
 class DrainResponse;
 class ExportWorldRequest;
 class ExportWorldResponse;
+class GetRoomRequest;
+class GetRoomResponse;
+class GetServerStatusRequest;
+class GetServerStatusResponse;
 class KickRequest;
 class KickResponse;
 class ListBansRequest;
 class ListBansResponse;
 class ListClientsRequest;
 class ListClientsResponse;
+class ModerateRoomRequest;
+class ModerateRoomResponse;
 class ProfileRequest;
 class ProfileResponse;
 class RemoveBodiesRequest;
@@ -65,6 +71,8 @@ public:
     // The server is shutting down: calls that wait for a world return at once.
     void stop();
 
+    Status get_server_status(const v1::GetServerStatusRequest& request,
+                             v1::GetServerStatusResponse& response, const Identity& who);
     // Lists and removes clients of the worlds that the token of `who` opens; others are refused.
     Status list_clients(const v1::ListClientsRequest& request, v1::ListClientsResponse& response,
                         const Identity& who);
@@ -82,6 +90,9 @@ public:
     Status undo_client(const v1::UndoClientRequest& request, v1::UndoClientResponse& response);
     Status remove_bodies(const v1::RemoveBodiesRequest& request,
                          v1::RemoveBodiesResponse& response);
+    Status get_room(const v1::GetRoomRequest& request, v1::GetRoomResponse& response);
+    Status moderate_room(const v1::ModerateRoomRequest& request,
+                         v1::ModerateRoomResponse& response);
     Status backup(const v1::BackupRequest& request, v1::BackupResponse& response);
     // Deletes downloads that nobody reads. Call it every few seconds.
     void remove_idle_downloads(Clock::time_point now) {
@@ -94,6 +105,7 @@ public:
 private:
     Status write_export(ExportedScene exported, v1::ExportWorldResponse& response) const;
     PlayContext& context_;
+    const Clock::time_point started_ = Clock::now();
     std::atomic<int> waiting_{0};
     BackupDownload backup_download_;
     ExportDownload export_download_;

@@ -82,6 +82,7 @@ CallMethod world_call(AdminControl& control, const WorldDirectory& worlds, const
 
 std::vector<CallMethod> admin_methods(AdminControl& control, const WorldDirectory& worlds) {
     return {
+        server_call(control, "GetServerStatus", Audit::no, &AdminControl::get_server_status),
         server_call(control, "ListClients", Audit::no, &AdminControl::list_clients),
         server_call(control, "Kick", Audit::yes, &AdminControl::kick),
         unary_method<v1::BackupRequest, v1::BackupResponse>(
@@ -108,6 +109,9 @@ std::vector<CallMethod> admin_methods(AdminControl& control, const WorldDirector
                    &AdminControl::download_world),
         world_call(control, worlds, "RemoveBodies", CallWork::blocking, Audit::yes,
                    &AdminControl::remove_bodies),
+        world_call(control, worlds, "GetRoom", CallWork::quick, Audit::no, &AdminControl::get_room),
+        world_call(control, worlds, "ModerateRoom", CallWork::blocking, Audit::yes,
+                   &AdminControl::moderate_room),
         world_call(control, worlds, "RewindWorld", CallWork::blocking, Audit::yes,
                    &AdminControl::rewind_world),
         world_call(control, worlds, "UndoClient", CallWork::blocking, Audit::yes,

@@ -54,8 +54,14 @@ bool SnapshotSections::has_changes(const Frame& frame) const {
 }
 
 void SnapshotSections::append_optional(const FramePtr& frame, Clock::time_point now,
-                                       SnapshotParts& parts) {
-    for (const auto& section : optional_) section->append(frame, now, parts);
+                                       SnapshotParts& parts, TrafficBytes& traffic) {
+    std::size_t before = parts.size();
+    for (const auto& section : optional_) {
+        section->append(frame, now, parts);
+        const std::size_t after = parts.size();
+        traffic[static_cast<std::size_t>(section->traffic_kind())] += after - before;
+        before = after;
+    }
 }
 
 void SnapshotSections::on_sent(const OutMessage& snapshot) {

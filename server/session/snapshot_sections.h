@@ -40,7 +40,9 @@ public:
     bool has_changes(const Frame& frame) const;
     // Appends every section except the client update, which the caller appends last, if it sends
     // the message.
-    void append_optional(const FramePtr& frame, Clock::time_point now, SnapshotParts& parts);
+    // Adds the appended bytes to `traffic`.
+    void append_optional(const FramePtr& frame, Clock::time_point now, SnapshotParts& parts,
+                         TrafficBytes& traffic);
     void on_sent(const OutMessage& snapshot);
 
     ClientUpdateSection& client_update() { return client_update_; }

@@ -69,6 +69,7 @@ std::optional<OutMessage> SnapshotStream::take_message(Clock::time_point now) {
     if (!has_cells() && send_entity_list(frame)) {
         if (std::optional<OutMessage> update = parts_.outbox.pop()) {
             on_other_sent();
+            parts_.metrics.sent_other(*update);
             return update;
         }
     }
@@ -138,7 +139,8 @@ std::optional<OutMessage> SnapshotStream::make_snapshot(const FramePtr& frame,
                                      : encode(frame, baselines_);
     if (!shared) return std::nullopt;
     SnapshotParts parts;
-    sections_.append_optional(frame, now, parts);
+    TrafficBytes traffic{};
+    sections_.append_optional(frame, now, parts, traffic);
     sections_.client_update().append(frame, now, parts);
     ASSERT(parts.has_poses == !has_cells());
     ASSERT(parts.channel_kinds == sections_.channel_kinds());
@@ -152,14 +154,17 @@ std::optional<OutMessage> SnapshotStream::make_snapshot(const FramePtr& frame,
     measure_send_delay(*frame, now);
     schedule_.on_sent(frame->tick, now);
     sections_.on_sent(message);
-    parts_.metrics.sent_snapshot(message.size());
+    const std::size_t channels =
+        parts.channel_kinds != 0 && message.shared ? channels_size(*message.shared) : 0;
+    parts_.metrics.sent_snapshot(message.size(), channels, traffic);
     return message;
 }
 
 // Nothing: there is no data that must not be lost.
 std::optional<OutMessage> SnapshotStream::make_reply(const FramePtr& frame, Clock::time_point now) {
     SnapshotParts parts;
-    sections_.append_optional(frame, now, parts);
+    TrafficBytes traffic{};
+    sections_.append_optional(frame, now, parts, traffic);
     if (parts.fields.empty() && parts.shared_fields.empty() && parts_.inputs.results().empty())
         return std::nullopt;
     sections_.client_update().append(frame, now, parts);
@@ -168,6 +173,7 @@ std::optional<OutMessage> SnapshotStream::make_reply(const FramePtr& frame, Cloc
     OutMessage message{encode_snapshot_header(parts.update, parts.fields, shared_bytes), nullptr,
                        std::move(parts.shared_fields)};
     on_results_sent(frame->tick);
+    parts_.metrics.sent_update(message.size(), traffic);
     return message;
 }
 
@@ -234,7 +240,7 @@ void SnapshotStream::on_sent_by_datagram(const OutMessage& snapshot, const Frame
     measure_send_delay(frame, now);
     schedule_.on_sent(frame.tick, now);
     parts_.metrics.sent(snapshot, now);
-    parts_.metrics.sent_snapshot(snapshot.size());
+    parts_.metrics.sent_snapshot(snapshot.size(), 0, {});
 }
 
 void SnapshotStream::suspend(DisconnectedClient& client) {

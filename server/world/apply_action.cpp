@@ -198,6 +198,12 @@ struct Apply {
         return {};
     }
 
+    // The rules of a room apply them (room.h).
+    Status operator()(const RoomCommand&) const {
+        return refused(ErrorCode::permission_denied,
+                       "the world has no room; create it with room settings");
+    }
+
 private:
     template <class Use>
     Status on_deformable(const DeformableTarget& target, const Use& use) const {

@@ -17,6 +17,7 @@
 #include "jostle/physics/defs.h"
 #include "jostle/physics/module.h"
 #include "server/util/clock.h"
+#include "server/world/room_command.h"
 
 namespace jostle::server {
 
@@ -112,7 +113,7 @@ struct DisconnectCommand {};
 
 using Action = std::variant<SpawnCommand, ImpulseCommand, GrabCommand, DragCommand, ReleaseCommand,
                             DeleteCommand, ExplodeCommand, PossessCommand, ControlCommand,
-                            LeaveCommand, DisconnectCommand, CutCommand>;
+                            LeaveCommand, DisconnectCommand, CutCommand, RoomCommand>;
 
 // The outcome of one input.
 struct InputResult {

@@ -5,6 +5,7 @@
 // the same client.
 #pragma once
 
+#include <atomic>
 #include <cstdint>
 #include <functional>
 #include <mutex>
@@ -31,10 +32,13 @@ public:
     // may resume.
     void leave(ClientId client, bool retain_bodies);
     void disconnect(ClientId client);
+    // Likewise: the client joined or resumed, before its first input.
+    void enter(ClientId client, EnterRoom entry);
 
     // The tick thread: takes the commands that are due in this tick. The lists are valid until the
-    // next call.
+    // next call. Entries precede the inputs, and leave commands follow them.
     void take_due(std::uint32_t tick);
+    std::span<const Command> entries() const { return taken_entries_; }
     std::span<const Command> inputs() const { return inputs_; }
     std::span<const Command> leave_commands() const { return taken_leave_commands_; }
     // The tick thread: whether no command waits, for this or a later tick.
@@ -46,9 +50,10 @@ private:
     const std::function<void()> on_push_;
     BoundedQueue<Command> commands_;
     ScheduledInputs scheduled_;
-    std::vector<Command> inputs_, taken_leave_commands_;
+    std::vector<Command> inputs_, taken_leave_commands_, taken_entries_;
     mutable std::mutex mutex_;
-    std::vector<Command> leave_commands_;  // a few of each client at most
+    std::vector<Command> leave_commands_, entries_;  // a few of each client at most
+    std::atomic<bool> has_entries_{false};
 };
 
 // The queue of input results for one client. The tick thread puts them, and the client's network

@@ -18,6 +18,7 @@
 #include "server/world/module_channels.h"
 #include "server/world/pose_grid.h"
 #include "server/world/pose_list.h"
+#include "server/world/room_state.h"
 #include "server/world/tick_events.h"
 
 namespace jostle::server {
@@ -72,6 +73,7 @@ struct Frame {
     std::shared_ptr<const PointObjects> points;
     // Of this tick, while a client predicts; null: no entity is controlled.
     std::shared_ptr<const std::vector<ControlledEntityState>> controlled_entities;
+    RoomView room;  // null: the world is no room
     int awake = 0, contacts = 0;
     double step_ms = 0;                        // of this tick, solver only
     double tick_ms_mean = 0, tick_ms_max = 0;  // of whole ticks, over the last second

@@ -13,6 +13,16 @@ namespace jostle::server {
 
 using namespace physics;
 
+namespace {
+
+// A session sends it, so it has no sequence number.
+bool is_entry(const Action& action) {
+    const auto* const command = std::get_if<RoomCommand>(&action);
+    return command && std::holds_alternative<EnterRoom>(command->kind);
+}
+
+}  // namespace
+
 Result<HostedWorld> HostedWorld::create(const scenes::SceneDescription& scene,
                                         const HostLimits& limits, int threads) {
     if (Status s = check_description(scene, limits.scene); !s.ok()) return s.error();
@@ -60,6 +70,7 @@ Result<HostedWorld> HostedWorld::restore(World world, const SavedHostState& host
     for (const SavedHostState::ProcessedInput& input : host_state.processed)
         hosted.last_sequences_[input.client] = input.sequence;
     hosted.quarantined_.insert(host_state.quarantined.begin(), host_state.quarantined.end());
+    hosted.set_room(host_state.room);
     hosted.ids_ = {host_state.scene_bodies, host_state.scene_joints};
     // Only after recovery from a portable checkpoint: its modules created their bodies again.
     sync_module_entities(state, hosted.bodies_);
@@ -80,10 +91,25 @@ SavedHostState HostedWorld::host_state(std::uint32_t tick) const {
     state_.controllers.write(host_state);
     for (const auto& [client, sequence] : last_sequences_)
         host_state.processed.push_back({client, sequence});
+    if (room_) host_state.room = room_->state();
     return host_state;
 }
 
+void HostedWorld::set_room(std::optional<RoomState> room) {
+    room_ = room ? std::make_unique<Room>(*std::move(room), hz_) : nullptr;
+}
+
+Status HostedWorld::apply_to_room(RoomCommand command) {
+    if (!room_)
+        return Error{ErrorCode::failed_precondition,
+                     "the world has no room; create it with room settings"};
+    InputResult ignored;
+    return apply_and_record({.client = scene_client, .action = std::move(command), .reply = {}},
+                            ignored);
+}
+
 void HostedWorld::continue_from(const HostedWorld& later) {
+    if (later.room_) set_room(later.room_->state());
     last_sequences_ = later.last_sequences_;
     state_.entities.skip_ids_of(later.state_.entities);
 }
@@ -119,8 +145,8 @@ Status HostedWorld::accept_sequence(ClientId client, std::uint32_t sequence) {
 InputResult HostedWorld::apply(const Command& command, std::uint32_t tick) {
     InputResult result{.sequence = command.sequence, .tick = tick};
     const bool is_leave = std::holds_alternative<LeaveCommand>(command.action);
-    const bool has_sequence =
-        !is_leave && !std::holds_alternative<DisconnectCommand>(command.action);
+    const bool has_sequence = !is_leave && !is_entry(command.action) &&
+                              !std::holds_alternative<DisconnectCommand>(command.action);
     if (has_sequence) result.status = accept_sequence(command.client, command.sequence);
     if (result.status.ok()) result.status = apply_and_record(command, result);
     if (is_leave) last_sequences_.erase(command.client);
@@ -150,7 +176,7 @@ Status HostedWorld::apply_and_record(const Command& command, InputResult& result
     if (journal_enabled_)
         journal_.push_back({command.client, command.sequence,
                             status.ok() ? std::optional(*action) : std::nullopt});
-    return status.ok() ? apply_action(state_, command.client, *action, result.entity) : status;
+    return status.ok() ? apply_by_rules(command.client, *action, result.entity) : status;
 }
 
 void HostedWorld::remove_entities(std::span<const EntityId> entities) {
@@ -183,13 +209,14 @@ EntityId HostedWorld::replay(const JournaledCommand& command, EntityId spawned) 
     const EntityId next = entities.next_id();
     const bool has_id = spawned != 0 && !entities.find(spawned);
     if (has_id) entities.set_next_id(spawned);
-    static_cast<void>(apply_action(state_, command.client, *command.action, affected).ok());
+    static_cast<void>(apply_by_rules(command.client, *command.action, affected).ok());
     if (has_id) entities.set_next_id(std::max(next, spawned + 1));
     return affected;
 }
 
 Status HostedWorld::step(double dt, std::uint32_t tick) {
     ASSERT(dt > 0 && tick > 0);
+    if (room_) room_->on_step();
     Status stepped = state_.world.step(dt);
     if (!stepped.ok()) return stepped;
     sync_module_entities(state_, bodies_);
@@ -286,6 +313,7 @@ void HostedWorld::copy_into(Frame& frame) {
             frame.controlled_entities = std::make_shared<const std::vector<ControlledEntityState>>(
                 std::move(controlled_entities));
     }
+    if (room_) frame.room = room_->view();
     frame.contacts = world.profile().touching;
     frame.step_ms = world.profile().step_ms;
 }

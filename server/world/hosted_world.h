@@ -20,6 +20,7 @@
 #include "server/world/frame.h"
 #include "server/world/module_channels.h"
 #include "server/world/query_frame.h"
+#include "server/world/room.h"
 #include "server/world/saved_host_state.h"
 
 namespace jostle::server {
@@ -37,8 +38,24 @@ public:
     // The state beyond the bodies after `tick`, the last step.
     SavedHostState host_state(std::uint32_t tick) const;
 
-    // Replaces `later`, a later state of the same world: keeps its sequence numbers and never
-    // assigns its entity ids again.
+    // From now on the world is a room, or is none. Before its first tick in this process.
+    void set_room(std::optional<RoomState> room);
+    // Null: the world is no room.
+    const Room* room() const { return room_.get(); }
+    // Whether the client may send messages to other clients now (Room::may_send_message()). A world
+    // without a room does not restrict messages.
+    Status may_send_message(ClientId client) const {
+        return room_ ? room_->may_send_message(client) : Status();
+    }
+    // Applies a decision of the host, which the rules of the room do not restrict, and journals it.
+    // failed_precondition: the world is no room.
+    Status apply_to_room(RoomCommand command);
+    Room::Requests take_room_requests() {
+        return room_ ? room_->take_requests() : Room::Requests();
+    }
+
+    // Replaces `later`, a later state of the same world: keeps its sequence numbers and the
+    // decisions of its room, and never assigns its entity ids again.
     void continue_from(const HostedWorld& later);
     // Removes all clients and retains their bodies.
     void release_all_clients();
@@ -111,6 +128,11 @@ private:
           frame_history_(std::make_shared<FrameRing>(state_.limits.lag_compensation_ms_max, hz)) {}
     Status limit_pairs();
     Status apply_and_record(const Command& command, InputResult& result);
+    // By the rules of the room, if the world is one.
+    Status apply_by_rules(ClientId client, const Action& action, EntityId& affected) {
+        return room_ ? room_->apply(state_, client, action, affected)
+                     : apply_action(state_, client, action, affected);
+    }
     Status accept_sequence(ClientId client, std::uint32_t sequence);
     // `all`: every pose; otherwise those of bodies that are or were awake.
     void copy_poses(bool all);
@@ -118,6 +140,7 @@ private:
     HostedState state_;
     double hz_;
     std::shared_ptr<FrameRing> frame_history_;  // never null
+    std::unique_ptr<Room> room_;                // null: the world is no room
     SceneIds ids_;
     double work_per_second_ = 0;
     ModuleChannels channels_;

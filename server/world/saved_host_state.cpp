@@ -4,11 +4,14 @@
 #include <utility>
 
 #include "server/util/bytes.h"
+#include "server/world/room_codec.h"
 
 namespace jostle::server {
 namespace {
 
-constexpr std::uint64_t host_state_version = 1;
+// Version 3 adds the room. States without a room are written in version 1, which older servers
+// read.
+constexpr std::uint64_t version_without_room = 1, version_of_rooms = 3;
 constexpr std::uint32_t no_color = 0xffffffff;  // colours have 24 bits
 
 // visit() lists the fields once; the writer and the reader are its visitors.
@@ -90,26 +93,37 @@ std::map<ClientId, std::uint32_t> clients_of(const SavedHostState& host_state) {
     for (const SavedHostState::Held& held : host_state.held) clients.try_emplace(held.client);
     for (const SavedHostState::Controlled& controlled : host_state.controlled_entities)
         clients.try_emplace(controlled.client);
+    if (host_state.room)
+        for (const RoomClient& client : host_state.room->clients)
+            clients.try_emplace(client.client);
     clients.erase(0);
     return clients;
 }
 
 std::string encode_host_state(const SavedHostState& host_state) {
     HostStateWriter writer;
-    writer.to.number(host_state_version);
+    writer.to.number(host_state.room ? version_of_rooms : version_without_room);
     visit(writer, host_state);
+    if (host_state.room) writer.to.text(encode_room(*host_state.room));
     return writer.to.take();
 }
 
 Result<SavedHostState> decode_host_state(std::string_view bytes) {
     HostStateReader reader{ByteReader(bytes)};
-    if (const std::uint64_t version = reader.from.number();
-        reader.from.ok() && version != host_state_version)
+    const std::uint64_t version = reader.from.number();
+    if (reader.from.ok() && version != version_without_room && version != version_of_rooms)
         return Error{ErrorCode::failed_precondition,
                      "unsupported host state: version " + std::to_string(version) +
-                         "; this server reads version " + std::to_string(host_state_version)};
+                         "; this server reads versions " + std::to_string(version_without_room) +
+                         " and " + std::to_string(version_of_rooms)};
     SavedHostState host_state;
     visit(reader, host_state);
+    if (version == version_of_rooms) {
+        Result<RoomState> room = decode_room(reader.from.text());
+        if (!reader.from.ok()) return corrupt_host_state("truncated");
+        if (!room.ok()) return room.error();
+        host_state.room = *std::move(room);
+    }
     if (!reader.from.ok()) return corrupt_host_state("truncated");
     if (!reader.from.at_end()) return corrupt_host_state("trailing bytes");
     EntityId last = 0;

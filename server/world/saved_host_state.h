@@ -15,6 +15,7 @@
 #include "jostle/base/result.h"
 #include "jostle/physics/ids.h"
 #include "server/world/command.h"
+#include "server/world/room_state.h"
 
 namespace jostle::server {
 
@@ -55,6 +56,7 @@ struct SavedHostState {
     std::vector<EntityId> quarantined;
     std::vector<physics::BodyId> scene_bodies;
     std::vector<physics::JointId> scene_joints;
+    std::optional<RoomState> room = {};  // nothing: the world is no room
 };
 
 // The clients of the world, each with the sequence number of its last processed input (0: none).

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "jostle/base/check.h"
+#include "server/auth/identity.h"
 #include "server/util/log.h"
 #include "server/world/command_mailbox.h"
 
@@ -29,8 +30,12 @@ WorldProperties properties_of(WorldStart& start) {
             .substeps = scene.world.tolerance > 0 ? 0 : scene.world.substeps,
             .epoch = Clock::now() - from_seconds((start.tick - 1) / scene.hz),
             .first_tick = start.tick,
+            .is_room = start.world.room() != nullptr,
             .channel_kinds = start.world.channel_kinds()};
 }
+
+// The reason of a pause by a member of the room, who may end it.
+constexpr std::string_view room_pause = "by a member of the room";
 
 std::optional<Error> pause_refusal(const std::optional<std::string>& paused) {
     if (!paused) return std::nullopt;
@@ -41,10 +46,11 @@ std::optional<Error> pause_refusal(const std::optional<std::string>& paused) {
 
 Result<std::shared_ptr<WorldHost>> WorldHost::start(
     WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene,
-    const WorldHostSettings& settings) {
+    const WorldHostSettings& settings, std::optional<RoomState> room) {
     Result<HostedWorld> world =
         HostedWorld::create(*scene, settings.limits, settings.physics_threads);
     if (!world.ok()) return world.error();
+    world->set_room(std::move(room));
     return begin({std::move(label), std::move(scene), *std::move(world)}, settings);
 }
 
@@ -80,6 +86,7 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
     world_.copy_into(*first);
     world_.frame_history().put(first, false);
     publisher_.set_frame(std::move(first));
+    static_cast<void>(world_.take_room_requests());  // of commands that a recovery replayed
     if (world_journal_) world_.enable_journal();
     if (!settings_.own_ticks) return;
     // The first tick is the world as it was built; the loop continues from there.
@@ -98,6 +105,14 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
             cancel_waiters();
             lifecycle_.end_tick();
         });
+}
+
+std::string WorldHost::owner() const {
+    const std::string& creator = properties_.label.owner;
+    if (!properties_.is_room) return creator;
+    const RoomView room = frame()->room;
+    if (!room->owner.empty()) return room->owner.substr(subject_member.size());
+    return creator == anonymous_subject ? creator : std::string();
 }
 
 WorldHost::~WorldHost() {
@@ -222,6 +237,7 @@ void WorldHost::run_tick(Clock::time_point due, std::uint32_t late_ticks) {
     const bool allowed = paused && single_step_.begin_step();
     const bool steps = !paused || allowed;
     if (world_journal_) world_journal_->append({tick_, steps, world_.take_journal()});
+    const Room::Requests room_requests = world_.take_room_requests();
     tick_metrics_.begin_step();
     const bool stepped = steps && step(allowed);
     const std::shared_ptr<Frame> frame = make_frame(due, late_ticks);
@@ -234,6 +250,7 @@ void WorldHost::run_tick(Clock::time_point due, std::uint32_t late_ticks) {
     if (world_journal_) persist_published(frame->step_ms, sends_results);
     serve_queries();  // after the frame, which has priority
     single_step_.end_tick();
+    grant_room_requests(room_requests);
     between_ticks_.run_pending(world_);
     tick_metrics_.end_tick(*frame, stepped ? &world_.world().profile() : nullptr,
                            results_.size() + scheduler_.waiting());
@@ -268,6 +285,8 @@ std::optional<Error> WorldHost::input_refusal(const std::optional<std::string>& 
 void WorldHost::apply_commands(std::optional<Error> refusal, Clock::time_point due) {
     mailbox_.take_due(tick_);
     results_.clear();
+    if (world_.room())
+        for (const Command& command : mailbox_.entries()) world_.apply(command, tick_);
     scheduler_.begin_tick(mailbox_.inputs(), mailbox_.leave_commands());
     std::chrono::nanoseconds before = cpu_time_.now().value_or(std::chrono::nanoseconds(0));
     while (const Command* const command = scheduler_.next()) {
@@ -275,9 +294,12 @@ void WorldHost::apply_commands(std::optional<Error> refusal, Clock::time_point d
             refusal = Error{ErrorCode::unavailable, "the world is being closed"};
         else if (!refusal)
             refusal = pause_refusal(lifecycle_.paused());
+        std::optional<InputResult> resumed;
+        if (refusal && world_.room()) resumed = resume_room(*command);
         put_result(*command,
-                   refusal ? InputResult{.sequence = command->sequence, .status = *refusal}
-                           : apply(*command),
+                   resumed   ? *std::move(resumed)
+                   : refusal ? InputResult{.sequence = command->sequence, .status = *refusal}
+                             : apply(*command),
                    due);
         const std::chrono::nanoseconds after = cpu_time_.now().value_or(before);
         scheduler_.charge(std::chrono::duration<double>(after - before).count());
@@ -300,6 +322,21 @@ InputResult WorldHost::apply(const Command& command) {
     std::optional<Error> refused = body_limits_.refusal(command, world_.ownership());
     return refused ? world_.refuse(command, *std::move(refused), tick_)
                    : world_.apply(command, tick_);
+}
+
+std::optional<InputResult> WorldHost::resume_room(const Command& command) {
+    const auto* const about_room = std::get_if<RoomCommand>(&command.action);
+    const auto* const pause = about_room ? std::get_if<PauseRoom>(&about_room->kind) : nullptr;
+    if (!pause || pause->paused || lifecycle_.paused() != room_pause) return std::nullopt;
+    InputResult result{.sequence = command.sequence,
+                       .status = world_.room()->may(command.client, RoomAction::pause)};
+    if (result.status.ok()) resume();
+    return result;
+}
+
+void WorldHost::grant_room_requests(const Room::Requests& requests) {
+    if (requests.reset) is_reset_requested_ = true;
+    if (requests.paused == true && !lifecycle_.paused()) pause(std::string(room_pause));
 }
 
 void WorldHost::remove_excess_bodies(Clock::time_point now) {

@@ -127,6 +127,9 @@ v1::ClientMessage inputs(std::uint32_t first) {
     set(*bang.mutable_center(), 0, 1, 0);
     bang.set_radius(5);
     bang.set_speed(10);
+    batch.add_inputs()->mutable_room()->mutable_vote_kick()->set_client(7);
+    (*batch.add_inputs()->mutable_room()->mutable_settings()->mutable_quotas())["player.bodies"] =
+        5;
     batch.mutable_ack()->set_frame(3);
     return message;
 }
@@ -565,6 +568,18 @@ void write_persisted(const fs::path& folder) {
         seeds.add(server::encode_journal({{journal.ticks.back()}, {}}));
     }
     seeds.add(server::encode_journal(journal));
+    world->set_room(server::new_room({.title = "Yard", .tags = {"race"}}, "ada"));
+    const server::RoomCommand commands[] = {
+        {server::EnterRoom{.member = "subject/ada"}},
+        {server::ProtectArea{{"tower", {-1, 0, -1}, {1, 9, 1}}}},
+        {server::BanClient{1, 60, "spam"}},
+        {server::UpdateRoom{}}};
+    for (const server::RoomCommand& command : commands) {
+        tick++;
+        world->apply({.client = 2, .sequence = tick, .action = command, .reply = {}}, tick);
+        seeds.add(server::encode_host_state(world->host_state(tick)));
+        seeds.add(server::encode_journal({{{tick, world->take_journal()}}, {}}));
+    }
     seeds.add(server::encode_journal(
         {.ticks = {}, .paused_ticks = {}, .rewind = server::Rewind{90, 30}}));
     seeds.add(server::encode_journal(

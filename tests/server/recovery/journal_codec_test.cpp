@@ -154,6 +154,26 @@ TEST(JournalCodec, targets_on_ropes_and_cloths_need_version_5) {
     EXPECT_FALSE(read.undo);
 }
 
+TEST(JournalCodec, room_commands_need_version_7) {
+    const JournalSegment written{
+        .ticks = {{4,
+                   {{1, 0, RoomCommand{EnterRoom{"subject/ada", false, false}}},
+                    {1, 1, CutCommand{.deformable = DeformableTarget{"rope", 3, 14}}},
+                    {1, 2, RoomCommand{BanClient{7, 2.5, "spam"}}}}}},
+        .paused_ticks = {}};
+    const std::string bytes = encode_journal(written);
+    EXPECT_EQ(bytes[0], 7);
+    const JournalSegment read = decode_journal(bytes).value();
+    const auto& commands = read.ticks.at(0).commands;
+    const auto room_command = [&](std::size_t index) {
+        return std::get<RoomCommand>(*commands.at(index).action);
+    };
+    EXPECT_EQ(std::get<EnterRoom>(room_command(0).kind).member, "subject/ada");
+    EXPECT_EQ(std::get<BanClient>(room_command(2).kind).seconds, 2.5);
+    for (std::size_t size = 0; size < bytes.size(); size++)
+        EXPECT_FALSE(decode_journal(bytes.substr(0, size)).ok());
+}
+
 TEST(JournalCodec, truncated_or_changed_bytes_are_rejected_or_read_within_bounds) {
     HostedWorld world = sandbox();
     const std::string whole = encode_journal(play(world, 12));
@@ -161,8 +181,8 @@ TEST(JournalCodec, truncated_or_changed_bytes_are_rejected_or_read_within_bounds
         EXPECT_EQ(error_of(decode_journal(whole.substr(0, size))).code, ErrorCode::corrupt_data);
     EXPECT_EQ(error_of(decode_journal(whole + "x")).message,
               "corrupt journal record: data after the end");
-    EXPECT_EQ(error_of(decode_journal("\x07")).message,
-              "corrupt journal record: version 7; this server reads versions 2 to 5");
+    EXPECT_EQ(error_of(decode_journal("\x08")).message,
+              "corrupt journal record: version 8; this server reads versions 2 to 7");
     test::Random random(5);
     int read = 0;
     for (int k = 0; k < 2000; k++) {

@@ -9,6 +9,62 @@ namespace jostle::ctl {
 
 using common::Align, common::Table, common::duration_text, common::number_text, common::sanitized;
 
+namespace {
+
+std::string clients_of(const v1::WorldInfo& world) {
+    const std::string clients = std::to_string(world.clients());
+    if (world.room().capacity() == 0) return clients;
+    return clients + "/" + std::to_string(world.room().capacity());
+}
+
+std::string room_of(const v1::WorldInfo& world) {
+    if (!world.has_room()) return "-";
+    const v1::RoomInfo& room = world.room();
+    return (room.title().empty() ? "untitled" : sanitized(room.title(), 40)) +
+           (room.is_private() ? ", private" : "") + (room.unlisted() ? ", unlisted" : "");
+}
+
+std::string name_of(v1::PlayerRole role) {
+    switch (role) {
+        case v1::PLAYER_ROLE_SPECTATOR:
+            return "spectator";
+        case v1::PLAYER_ROLE_PLAYER:
+            return "player";
+        case v1::PLAYER_ROLE_BUILDER:
+            return "builder";
+        case v1::PLAYER_ROLE_OWNER:
+            return "owner";
+        default:
+            return "-";
+    }
+}
+
+}  // namespace
+
+std::string room_text(const v1::GetRoomResponse& room) {
+    std::string text = "title  " + sanitized(room.settings().title()) + "\nowner  " +
+                       (room.owner().empty() ? "the player that is present for longest"
+                                             : sanitized(room.owner())) +
+                       "\n";
+    for (const auto& area : room.settings().areas())
+        text += "area   " + sanitized(area.name()) + ", for the role " + area.min_role() + "\n";
+    for (const v1::RoomBan& ban : room.bans())
+        text += "ban    " + sanitized(ban.member()) + (ban.permanent() ? "" : ", for a time") +
+                (ban.reason().empty() ? "" : ": " + sanitized(ban.reason(), 100)) + "\n";
+    if (room.vote_target() != 0)
+        text += "vote   to kick client " + std::to_string(room.vote_target()) + ": " +
+                std::to_string(room.votes()) + " votes\n";
+    if (room.members().empty()) return text + "The room has no clients.\n";
+    Table table({{"CLIENT", Align::right}, {"ROLE"}, {"MEMBER"}, {"STATE"}});
+    for (const v1::RoomMember& member : room.members())
+        table.add({std::to_string(member.client()), name_of(member.role()),
+                   sanitized(member.member(), 100),
+                   member.removed() ? "removed"
+                   : member.muted() ? "muted"
+                                    : "-"});
+    return text + table.text();
+}
+
 std::string worlds_text(const v1::ListWorldsResponse& worlds) {
     if (worlds.worlds().empty())
         return "The server has no worlds. Create one with jostlectl world create.\n";
@@ -19,13 +75,14 @@ std::string worlds_text(const v1::ListWorldsResponse& worlds) {
                  {"BODIES", Align::right},
                  {"AWAKE", Align::right},
                  {"CLIENTS", Align::right},
+                 {"ROOM"},
                  {"MS", Align::right},
                  {"TIME SCALE", Align::right},
                  {"STATE"}});
     for (const v1::WorldInfo& world : worlds.worlds())
         table.add({world.id(), sanitized(world.name()), sanitized(world.scene()),
                    number_text(world.hz(), 0), std::to_string(world.bodies()),
-                   std::to_string(world.awake()), std::to_string(world.clients()),
+                   std::to_string(world.awake()), clients_of(world), room_of(world),
                    number_text(world.step_ms_mean(), 2), number_text(world.time_scale(), 2),
                    world.paused().empty() ? "runs" : "paused: " + sanitized(world.paused(), 60)});
     return table.text();

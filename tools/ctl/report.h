@@ -11,6 +11,7 @@
 namespace jostle::ctl {
 
 std::string worlds_text(const v1::ListWorldsResponse& worlds);
+std::string room_text(const v1::GetRoomResponse& room);
 std::string clients_text(const v1::ListClientsResponse& clients);
 std::string bans_text(const v1::ListBansResponse& bans);
 

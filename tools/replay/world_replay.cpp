@@ -125,6 +125,14 @@ Result<PersistedWorld::Verification> PersistedWorld::verify() {
         if (physics::state_hash(world.world()) != at->second)
             verification.errors.push_back("the checkpoint of tick " + std::to_string(tick) +
                                           " differs from the replayed world");
+        if (!world.room()) return;
+        const auto checkpoint = store_->checkpoint(stored_.id, tick);
+        if (!checkpoint.ok()) return;  // reported above
+        const auto decoded = server::decode_checkpoint(checkpoint->exact, checkpoint->hash);
+        if (!decoded.ok() || decoded->host_state.room != world.room()->state())
+            verification.errors.push_back("the room in the checkpoint of tick " +
+                                          std::to_string(tick) +
+                                          " differs from that of the replayed world");
     };
     const auto world = replay_from_first({.after_tick = compare});
     if (!world.ok()) return world.error();

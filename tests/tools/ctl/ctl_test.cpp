@@ -214,6 +214,29 @@ TEST_F(CtlTest, lists_creates_and_deletes_worlds) {
     EXPECT_TRUE(complains("arena")) << err;
 }
 
+TEST_F(CtlTest, creates_shows_and_moderates_a_room) {
+    write("room.json", R"({"title": "Yard", "tags": ["build"], "capacity": 4})");
+    ASSERT_EQ(run("world create yard --scene stack --room " + file("room.json")), 0) << err;
+    ASSERT_EQ(run("worlds --tags build --not-full"), 0) << err;
+    EXPECT_TRUE(says("Yard")) << out;
+    EXPECT_TRUE(says("0/4")) << out;
+    EXPECT_FALSE(says("\"stack\""));
+    ASSERT_EQ(run("world create --template race"), 0) << err;
+    ASSERT_EQ(run("room protect yard tower --min -1 0 -1 --max 1 9 1 --role owner"), 0) << err;
+    ASSERT_EQ(run("room show yard --json"), 0) << err;
+    EXPECT_EQ(json().at("settings").at("areas").at(0).at("minRole"), "owner");
+    write("closed.json", R"({"title": "Closed", "joinCode": "sesame"})");
+    ASSERT_EQ(run("room update yard " + file("closed.json")), 0) << err;
+    ASSERT_EQ(run("room show yard"), 0) << err;
+    EXPECT_TRUE(says("Closed")) << out;
+    EXPECT_FALSE(says("sesame")) << out;
+    EXPECT_EQ(run("room kick yard 42"), 1);
+    EXPECT_TRUE(complains("client 42 is not in the room")) << err;
+    EXPECT_EQ(run("room role yard 42 king"), 2);
+    EXPECT_EQ(run("room show stack"), 1);
+    EXPECT_TRUE(complains("has no room")) << err;
+}
+
 TEST_F(CtlTest, lists_and_kicks_clients) {
     ASSERT_EQ(run("clients"), 0);
     EXPECT_EQ(out, "No clients are connected.\n");

@@ -327,6 +327,7 @@ std::string PlayProtocol::hello() {
     hello.set_protocol(protocol_version);
     hello.set_world(options_.world);
     hello.set_ticket(options_.ticket);
+    hello.set_join_code(options_.join_code);
     hello.set_name(options_.name);
     hello.set_snapshot_hz(options_.snapshot_hz);
     hello.set_spectator(options_.spectator);

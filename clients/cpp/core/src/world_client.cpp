@@ -71,8 +71,8 @@ WorldClient::WorldClient(const std::string& target, Security security)
 }
 WorldClient::~WorldClient() = default;
 
-Result<v1::ListWorldsResponse> WorldClient::list() {
-    return impl_->invoke(&v1::WorldService::Stub::ListWorlds, v1::ListWorldsRequest());
+Result<v1::ListWorldsResponse> WorldClient::list(const v1::ListWorldsRequest& request) {
+    return impl_->invoke(&v1::WorldService::Stub::ListWorlds, request);
 }
 
 Result<v1::CreateWorldResponse> WorldClient::create(const v1::CreateWorldRequest& request) {
@@ -86,10 +86,17 @@ Status WorldClient::remove(const std::string& world) {
     return removed.ok() ? Status() : removed.error();
 }
 
-Result<v1::JoinWorldResponse> WorldClient::join(const std::string& world) {
+Result<v1::JoinWorldResponse> WorldClient::join(const std::string& world,
+                                                const std::string& join_code) {
     v1::JoinWorldRequest request;
     request.set_world(world);
+    request.set_join_code(join_code);
     return impl_->invoke(&v1::WorldService::Stub::JoinWorld, request);
+}
+
+Result<v1::JoinOrCreateWorldResponse> WorldClient::join_or_create(
+    const v1::JoinOrCreateWorldRequest& request) {
+    return impl_->invoke(&v1::WorldService::Stub::JoinOrCreateWorld, request);
 }
 
 struct QueryClient::Impl {

@@ -3,11 +3,15 @@
 
 import { nowUs } from './clock/clock_sync.js';
 import { Connection, type AreaOfInterest, type Precision, type ConnectionListener, type ConnectionState, type Input, type Socket } from './connection/connection.js';
-import type { Entity } from './gen/jostle/v1/play_pb.js';
+import type { MessageInitShape } from '@bufbuild/protobuf';
+import type { Entity, RoomInputSchema } from './gen/jostle/v1/play_pb.js';
 import type { PointObjectView } from './interpolation/point_objects.js';
 import { RenderedPoses } from './interpolation/rendered_poses.js';
 import { MOTION_CHANNEL } from './snapshot/channels.js';
 import type { PredictionController } from './prediction/prediction_controller.js';
+
+/** A command about a room in the form of proto RoomInput. */
+export type RoomCommand = MessageInitShape<typeof RoomInputSchema>;
 
 /** A vector in the world: m, m/s or N s. */
 export interface Vector {
@@ -23,6 +27,8 @@ export interface ConnectOptions {
   readonly world?: string;
   /** Bearer token of the user; default: none. */
   readonly token?: string;
+  /** Join code of a private room; default: none. */
+  readonly joinCode?: string;
   /** Kinds of module channels to receive, at most 64 (PoseFrame.channels); default: none. */
   readonly channels?: readonly string[];
   /** The part of the world to receive; default: the whole world. */
@@ -76,7 +82,7 @@ export class Client {
 
   /** Use connect(). */
   constructor(options: ConnectOptions) {
-    const { url, token, channels = [], areaOfInterest, precision, events = false, prediction = false, listener = {} } = options;
+    const { url, token, joinCode, channels = [], areaOfInterest, precision, events = false, prediction = false, listener = {} } = options;
     this.listener = listener;
     const channelKinds = prediction === false ? channels : [...channels, MOTION_CHANNEL];
     const forward: ConnectionListener = {
@@ -90,7 +96,7 @@ export class Client {
       inputRejected: (result) => listener.inputRejected?.(result),
       notice: (text) => listener.notice?.(text),
     };
-    this.connection = new Connection({ url, listener: forward, openSocket: options.openSocket, token, channelKinds, areaOfInterest, precision });
+    this.connection = new Connection({ url, listener: forward, openSocket: options.openSocket, token, joinCode, channelKinds, areaOfInterest, precision });
     this.connection.setEventsEnabled(events);
   }
 
@@ -231,6 +237,14 @@ export class Client {
    */
   control(axes: readonly number[], buttons = 0): void {
     this.send({ case: 'control', value: { axes: axes.map((axis) => Math.round(1000 * axis)), buttons } });
+  }
+
+  /**
+   * Sends a command about the room: moderation, roles, votes and protected areas. The role of this
+   * client must permit it.
+   */
+  room(kind: NonNullable<RoomCommand['kind']>): void {
+    this.send({ case: 'room', value: { kind } });
   }
 
   /** Leaves the world and closes the connection. */

@@ -133,6 +133,8 @@ export interface ConnectionOptions {
   readonly openSocket?: ((url: string) => Socket) | undefined;
   /** Bearer token of the user; default: none. */
   readonly token?: string | undefined;
+  /** Join code of a private room; default: none. */
+  readonly joinCode?: string | undefined;
   /** Channel kinds to subscribe to; default: none. */
   readonly channelKinds?: readonly string[] | undefined;
   /** Default: the whole world. */
@@ -187,6 +189,7 @@ export class Connection {
   private readonly listener: ConnectionListener;
   private readonly openSocket: (url: string) => Socket;
   private readonly token: string;
+  private readonly joinCode: string;
   private readonly channelKinds: readonly string[];
   private readonly areaOfInterest: AreaOfInterest | undefined;
   private readonly precision: Precision | undefined;
@@ -196,6 +199,7 @@ export class Connection {
     this.listener = options.listener;
     this.openSocket = options.openSocket ?? openSocket;
     this.token = options.token ?? '';
+    this.joinCode = options.joinCode ?? '';
     this.channelKinds = options.channelKinds ?? [];
     this.areaOfInterest = options.areaOfInterest;
     this.precision = options.precision;
@@ -309,9 +313,9 @@ export class Connection {
     this.socket = socket;
     socket.binaryType = 'arraybuffer';
     socket.onopen = () => {
-      const { world, token, eventsEnabled: events } = this;
+      const { world, token, joinCode, eventsEnabled: events } = this;
       const channels = [...this.channelKinds];
-      const hello = { protocol: PROTOCOL, world, name: 'browser', events, token, channels, codec: NEWEST_CODEC,
+      const hello = { protocol: PROTOCOL, world, name: 'browser', events, token, joinCode, channels, codec: NEWEST_CODEC,
         maxKbps: this.areaOfInterest?.maxKbps ?? 0,
         packedEntities: true,
         ...(this.areaOfInterest ? { interest: this.interest(this.areaOfInterest) } : {}),

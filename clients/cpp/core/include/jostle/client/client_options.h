@@ -80,6 +80,8 @@ struct ClientOptions {
     /// datagrams, because a recording cannot use late snapshots). Called on the loop's thread. It
     /// must be quick and must not call functions of this client.
     std::function<void(const std::string& bytes, Clock::time_point now)> on_message = {};
+    /// Join code of a private room; a ticket replaces it.
+    std::string join_code = {};
 };
 
 }  // namespace jostle::client

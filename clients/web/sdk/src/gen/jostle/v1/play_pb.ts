@@ -10,6 +10,8 @@ import type { GenEnum, GenFile, GenMessage, GenService } from "@bufbuild/protobu
 import { enumDesc, fileDesc, messageDesc, serviceDesc } from "@bufbuild/protobuf/codegenv2";
 import type { Precision, Quat, Vec3, ViewTime } from "./common_pb.js";
 import { file_jostle_v1_common } from "./common_pb.js";
+import type { ProtectedArea, RoomSettings } from "./room_pb.js";
+import { file_jostle_v1_room } from "./room_pb.js";
 import type { BodyType, Locks, Shape } from "./scene_pb.js";
 import { file_jostle_v1_scene } from "./scene_pb.js";
 import type { Message } from "@bufbuild/protobuf";
@@ -18,7 +20,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file jostle/v1/play.proto.
  */
 export const file_jostle_v1_play: GenFile = /*@__PURE__*/
-  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIvEBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAEicKCGludGVyZXN0GAYgASgLMhMuam9zdGxlLnYxLkludGVyZXN0SABCCQoHbWVzc2FnZSLyAgoFSGVsbG8SEAoIcHJvdG9jb2wYASABKA0SDQoFd29ybGQYAiABKAkSDgoGdGlja2V0GAMgASgJEgwKBG5hbWUYBCABKAkSEwoLc25hcHNob3RfaHoYBSABKA0SEQoJc3BlY3RhdG9yGAYgASgIEg4KBmV2ZW50cxgHIAEoCBINCgV0b2tlbhgIIAEoCRIQCghjaGFubmVscxgJIAMoCRINCgVjb2RlYxgKIAEoDRIQCghtYXhfa2JwcxgLIAEoDRIlCghpbnRlcmVzdBgOIAEoCzITLmpvc3RsZS52MS5JbnRlcmVzdBInCglwcmVjaXNpb24YDyABKAsyFC5qb3N0bGUudjEuUHJlY2lzaW9uEhcKD3BhY2tlZF9lbnRpdGllcxgQIAEoCBIRCglkYXRhZ3JhbXMYFCABKAgSEQoJcmVzdW1hYmxlGDwgASgIEiEKBnJlc3VtZRg9IAEoCzIRLmpvc3RsZS52MS5SZXN1bWUiJgoGUmVzdW1lEg0KBXRva2VuGAEgASgMEg0KBWZyYW1lGAIgASgNIjoKCEludGVyZXN0Eh4KBWZvY3VzGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBInsKCklucHV0QmF0Y2gSFgoOZmlyc3Rfc2VxdWVuY2UYASABKA0SIAoGaW5wdXRzGAIgAygLMhAuam9zdGxlLnYxLklucHV0EhsKA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2sSFgoOY2xpZW50X3RpbWVfdXMYBCABKAciuwMKBUlucHV0EiYKBXNwYXduGAEgASgLMhUuam9zdGxlLnYxLlNwYXduSW5wdXRIABIqCgdpbXB1bHNlGAIgASgLMhcuam9zdGxlLnYxLkltcHVsc2VJbnB1dEgAEiQKBGdyYWIYAyABKAsyFC5qb3N0bGUudjEuR3JhYklucHV0SAASJAoEZHJhZxgEIAEoCzIULmpvc3RsZS52MS5EcmFnSW5wdXRIABIqCgdyZWxlYXNlGAUgASgLMhcuam9zdGxlLnYxLlJlbGVhc2VJbnB1dEgAEigKBmRlbGV0ZRgGIAEoCzIWLmpvc3RsZS52MS5EZWxldGVJbnB1dEgAEioKB2V4cGxvZGUYByABKAsyFy5qb3N0bGUudjEuRXhwbG9kZUlucHV0SAASKgoHcG9zc2VzcxgIIAEoCzIXLmpvc3RsZS52MS5Qb3NzZXNzSW5wdXRIABIqCgdjb250cm9sGAkgASgLMhcuam9zdGxlLnYxLkNvbnRyb2xJbnB1dEgAEiIKA2N1dBgKIAEoCzITLmpvc3RsZS52MS5DdXRJbnB1dEgAEgwKBHRpY2sYDyABKA1CBgoEa2luZCLmAQoKU3Bhd25JbnB1dBIfCgVzaGFwZRgBIAEoCzIQLmpvc3RsZS52MS5TaGFwZRIhCghwb3NpdGlvbhgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAMgASgLMg8uam9zdGxlLnYxLlF1YXQSKAoPbGluZWFyX3ZlbG9jaXR5GAQgASgLMg8uam9zdGxlLnYxLlZlYzMSKQoQYW5ndWxhcl92ZWxvY2l0eRgFIAEoCzIPLmpvc3RsZS52MS5WZWMzEhIKBWNvbG9yGAYgASgHSACIAQFCCAoGX2NvbG9yIn8KA0FpbRIfCgZvcmlnaW4YASABKAsyDy5qb3N0bGUudjEuVmVjMxIfCgZtb3Rpb24YAiABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZpZ25vcmUYAyABKA0SJgoJdmlld190aW1lGAQgASgLMhMuam9zdGxlLnYxLlZpZXdUaW1lIo0BCgxJbXB1bHNlSW5wdXQSDgoGZW50aXR5GAEgASgNEiAKB2ltcHVsc2UYAiABKAsyDy5qb3N0bGUudjEuVmVjMxIeCgVwb2ludBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzEhsKA2FpbRgEIAEoCzIOLmpvc3RsZS52MS5BaW0SDgoGb2JqZWN0GAUgASgNImgKCUdyYWJJbnB1dBIOCgZlbnRpdHkYASABKA0SHgoFcG9pbnQYAiABKAsyDy5qb3N0bGUudjEuVmVjMxIbCgNhaW0YAyABKAsyDi5qb3N0bGUudjEuQWltEg4KBm9iamVjdBgEIAEoDSIsCglEcmFnSW5wdXQSHwoGdGFyZ2V0GAEgASgLMg8uam9zdGxlLnYxLlZlYzMiDgoMUmVsZWFzZUlucHV0Ih0KC0RlbGV0ZUlucHV0Eg4KBmVudGl0eRgBIAEoDSJrCgxFeHBsb2RlSW5wdXQSHwoGY2VudGVyGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBEg0KBXNwZWVkGAMgASgBEhsKA2FpbRgEIAEoCzIOLmpvc3RsZS52MS5BaW0iVwoIQ3V0SW5wdXQSDgoGb2JqZWN0GAEgASgNEh4KBXBvaW50GAIgASgLMg8uam9zdGxlLnYxLlZlYzMSGwoDYWltGAMgASgLMg4uam9zdGxlLnYxLkFpbSIeCgxQb3NzZXNzSW5wdXQSDgoGZW50aXR5GAEgASgNIi0KDENvbnRyb2xJbnB1dBIMCgRheGVzGAEgAygREg8KB2J1dHRvbnMYAiABKA0iUwoDQWNrEg0KBWZyYW1lGAEgASgNEhUKDW5lZWRfa2V5ZnJhbWUYAiABKAgSFAoMYWNrX2RlbGF5X21zGAMgASgNEhAKCGFja19iaXRzGAggASgHIh4KBFBpbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYiBwoFTGVhdmUiwAIKDVNlcnZlck1lc3NhZ2USJQoHd2VsY29tZRgBIAEoCzISLmpvc3RsZS52MS5XZWxjb21lSAASMAoNZW50aXR5X3VwZGF0ZRgCIAEoCzIXLmpvc3RsZS52MS5FbnRpdHlVcGRhdGVIABInCghzbmFwc2hvdBgDIAEoCzITLmpvc3RsZS52MS5TbmFwc2hvdEgAEh8KBHBvbmcYBSABKAsyDy5qb3N0bGUudjEuUG9uZ0gAEiMKBm5vdGljZRgHIAEoCzIRLmpvc3RsZS52MS5Ob3RpY2VIABIsCghnZW9tZXRyeRgJIAEoCzIYLmpvc3RsZS52MS5HZW9tZXRyeUNodW5rSABCCQoHbWVzc2FnZUoECAQQBUoECAYQB0oECAgQCVINaW5wdXRfcmVzdWx0c1IFc3RhdHNSBmV2ZW50cyJaCgpDZWxsVXBkYXRlEgwKBGNlbGwYASABKA0SDgoGbnVtYmVyGAIgASgNEhEKCWJhc2VsaW5lcxgDIAEoDRIOCgZwYWNrZWQYBCABKAwSCwoDY3JjGAUgASgHIr8ECgdXZWxjb21lEhEKCWNsaWVudF9pZBgBIAEoDRIQCgh3b3JsZF9pZBgCIAEoCRISCgp3b3JsZF9uYW1lGAMgASgJEgwKBHRpY2sYBCABKA0SDwoHdGlja19oehgFIAEoARITCgtzbmFwc2hvdF9oehgGIAEoDRIjCgVxdWFudBgIIAEoCzIULmpvc3RsZS52MS5RdWFudFNwZWMSFgoOc2VydmVyX3RpbWVfdXMYCSABKAYSIAoHZ3Jhdml0eRgKIAEoCzIPLmpvc3RsZS52MS5WZWMzEigKCGNoYW5uZWxzGAsgAygLMhYuam9zdGxlLnYxLkNoYW5uZWxLaW5kEg0KBWNvZGVjGAwgASgNEhcKD2Fja19pbnRlcnZhbF9tcxgNIAEoDRIQCghlcG9jaF91cxgOIAEoBhINCgVjZWxscxgPIAEoCBInCglwcmVjaXNpb24YEiABKAsyFC5qb3N0bGUudjEuUHJlY2lzaW9uEhAKCHN1YnN0ZXBzGBAgASgNEjEKCWRhdGFncmFtcxgUIAEoCzIeLmpvc3RsZS52MS5EYXRhZ3JhbUNyZWRlbnRpYWxzEhQKDHJlc3VtZV90b2tlbhg8IAEoDBIPCgdyZXN1bWVkGD0gASgIEhcKD3N0YXRlX3ByZXNlcnZlZBg+IAEoCBIVCg1sYXN0X3NlcXVlbmNlGD8gASgNEh4KFnJlc3VtZV90aW1lb3V0X3NlY29uZHMYQCABKAFKBAgHEAhSCmFja193aW5kb3ciPAoTRGF0YWdyYW1DcmVkZW50aWFscxIMCgRwb3J0GAEgASgNEgoKAmlkGAIgASgGEgsKA2tleRgDIAEoDCJSCgtDaGFubmVsS2luZBIMCgRuYW1lGAEgASgJEiQKBGZvcm0YAiABKA4yFi5qb3N0bGUudjEuQ2hhbm5lbEZvcm0SDwoHZGl2aXNvchgDIAEoDSKzAgoLUG9pbnRPYmplY3QSCgoCaWQYASABKA0SDAoEa2luZBgCIAEoDRILCgNrZXkYAyABKA0SDgoGZW50aXR5GAQgASgNEiIKBGZvcm0YBSABKA4yFC5qb3N0bGUudjEuUG9pbnRGb3JtEg8KB3N0ZXBfdW0YBiABKA0SDgoGcG9pbnRzGAcgASgNEg8KB2NvbHVtbnMYCCABKA0SDwoHc3RyYW5kcxgJIAMoDRIRCgl0cmlhbmdsZXMYCiADKBESDgoGcmFkaXVzGAsgASgCEhIKBWNvbG9yGAwgASgHSACIAQESHwoGb3JpZ2luGA0gASgLMg8uam9zdGxlLnYxLlZlYzMSEQoJc3BhY2luZ194GA4gASgCEhEKCXNwYWNpbmdfehgPIAEoAkIICgZfY29sb3IiZgoLUG9pbnRVcGRhdGUSDgoGb2JqZWN0GAEgASgNEg4KBm51bWJlchgCIAEoDRIMCgRiYWNrGAMgASgNEgwKBHRpY2sYBCABKA0SDgoGcGFja2VkGAUgASgMEgsKA2NyYxgGIAEoByJACglRdWFudFNwZWMSFwoPdW5pdHNfcGVyX21ldGVyGAEgASgNEhoKEnJvdGF0aW9uX2NvbXBvbmVudBgCIAEoDSJNCg1HZW9tZXRyeUNodW5rEgoKAmlkGAEgASgGEg0KBWNodW5rGAIgASgNEhMKC2NodW5rX2NvdW50GAMgASgNEgwKBGRhdGEYBCABKAwieAoMRW50aXR5VXBkYXRlEiAKBWFkZGVkGAEgAygLMhEuam9zdGxlLnYxLkVudGl0eRIPCgdyZW1vdmVkGAIgAygNEg4KBnBhY2tlZBgDIAEoDBIlCgpwcm90b3R5cGVzGAQgAygLMhEuam9zdGxlLnYxLkVudGl0eSLJAgoGRW50aXR5EgoKAmlkGAEgASgNEiEKBHR5cGUYAiABKA4yEy5qb3N0bGUudjEuQm9keVR5cGUSIAoGc2hhcGVzGAMgAygLMhAuam9zdGxlLnYxLlNoYXBlEg0KBW93bmVyGAQgASgNEhIKBWNvbG9yGAUgASgHSACIAQESDAoEbmFtZRgGIAEoCRIMCgRtYXNzGAcgASgBEhQKDGNvbnRyb2xsYWJsZRgIIAEoCBIWCg5saW5lYXJfZGFtcGluZxgJIAEoARIXCg9hbmd1bGFyX2RhbXBpbmcYCiABKAESGgoNZ3Jhdml0eV9zY2FsZRgLIAEoAUgBiAEBEh8KBWxvY2tzGAwgASgLMhAuam9zdGxlLnYxLkxvY2tzEg8KB2pvaW50ZWQYDSABKAhCCAoGX2NvbG9yQhAKDl9ncmF2aXR5X3NjYWxlIskECghTbmFwc2hvdBINCgVmcmFtZRgBIAEoDRIRCgliYXNlbGluZXMYAiABKA0SDgoGcGFja2VkGAUgASgMEgsKA2NyYxgGIAEoBxIPCgdsYXRlX3VzGAcgASgSEhAKCGNoYW5uZWxzGAkgASgMEhQKDGNoYW5uZWxzX2NyYxgKIAEoBxIXCg91bmNoYW5nZWRfdGlja3MYCyABKA0SJAoFc3RhdHMYDCABKAsyFS5qb3N0bGUudjEuV29ybGRTdGF0cxIhCgZldmVudHMYDSADKAsyES5qb3N0bGUudjEuRXZlbnRzEi4KDWNsaWVudF91cGRhdGUYDyABKAsyFy5qb3N0bGUudjEuQ2xpZW50VXBkYXRlEiQKBWNlbGxzGBAgAygLMhUuam9zdGxlLnYxLkNlbGxVcGRhdGUSEgoKY2VsbHNfbGVmdBgRIAMoDRI7ChFjb250cm9sbGVkX2VudGl0eRgSIAEoCzIgLmpvc3RsZS52MS5Db250cm9sbGVkRW50aXR5U3RhdGUSLQoNcG9pbnRfb2JqZWN0cxgTIAMoCzIWLmpvc3RsZS52MS5Qb2ludE9iamVjdBImCgZwb2ludHMYFCADKAsyFi5qb3N0bGUudjEuUG9pbnRVcGRhdGUSFAoMcG9pbnRzX2VuZGVkGBUgAygNSgQIAxAESgQIBBAFSgQICBAJUgpiYXNlX2ZyYW1lUgtiYXNlMl9mcmFtZVILYmFzZTNfZnJhbWVSDnNlcnZlcl90aW1lX3VzUgdtb2R1bGVzIrgBCgxDbGllbnRVcGRhdGUSFgoOaW5wdXRfc2VxdWVuY2UYASABKA0SGwoTZWNob19jbGllbnRfdGltZV91cxgCIAEoBxIZChFzbmFwc2hvdHNfc2tpcHBlZBgDIAEoDRInCgdyZXN1bHRzGAQgAygLMhYuam9zdGxlLnYxLklucHV0UmVzdWx0EhcKD2lucHV0X21hcmdpbl91cxgHIAEoERIWCg5pbnB1dF9yZWNlaXZlZBgMIAEoDSKMAQoVQ29udHJvbGxlZEVudGl0eVN0YXRlEg4KBmVudGl0eRgBIAEoDRIOCgZtb2R1bGUYAiABKAkSDAoEdGljaxgDIAEoDRINCgV3b3JkcxgEIAEoDRIQCghrZXlmcmFtZRgFIAEoCBIUCgxjaGFuZ2VkX21hc2sYBiABKAwSDgoGdmFsdWVzGAcgASgMIqUBCgtJbnB1dFJlc3VsdBIQCghzZXF1ZW5jZRgBIAEoDRIiCgRjb2RlGAIgASgOMhQuam9zdGxlLnYxLklucHV0Q29kZRIMCgR0aWNrGAMgASgNEg4KBmVudGl0eRgEIAEoDRIPCgdtZXNzYWdlGAUgASgJEhkKEXZpZXdfdGltZV9jbGFtcGVkGAYgASgIEhYKDnJldHJ5X2FmdGVyX21zGAcgASgNIjYKBFBvbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYSFgoOc2VydmVyX3RpbWVfdXMYAiABKAYivwEKCldvcmxkU3RhdHMSDAoEdGljaxgBIAEoDRIOCgZib2RpZXMYAiABKA0SDQoFYXdha2UYAyABKA0SEAoIY29udGFjdHMYBCABKA0SDwoHY2xpZW50cxgFIAEoDRIUCgxzdGVwX21zX21lYW4YBiABKAESEwoLc3RlcF9tc19tYXgYByABKAESEgoKbGF0ZV90aWNrcxgIIAEoDRIOCgZwYXVzZWQYCSABKAkSEgoKdGltZV9zY2FsZRgKIAEoASI+CgZOb3RpY2USIwoEY29kZRgBIAEoDjIVLmpvc3RsZS52MS5Ob3RpY2VDb2RlEg8KB21lc3NhZ2UYAiABKAkixAMKBkV2ZW50cxIMCgR0aWNrGAEgASgNEi8KDmNvbnRhY3RzX2JlZ2FuGAIgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIvCg5jb250YWN0c19lbmRlZBgDIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSKQoIY29udGFjdHMYBCADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EiUKBGhpdHMYBSADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EjEKEHRyaWdnZXJzX2VudGVyZWQYBiADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50EjAKD3RyaWdnZXJzX3N0YXllZBgHIAMoCzIXLmpvc3RsZS52MS5UcmlnZ2VyRXZlbnQSLgoNdHJpZ2dlcnNfbGVmdBgIIAMoCzIXLmpvc3RsZS52MS5UcmlnZ2VyRXZlbnQSMAoMam9pbnRzX2Jyb2tlGAkgAygLMhouam9zdGxlLnYxLkpvaW50QnJlYWtFdmVudBITCgtmZWxsX2FzbGVlcBgKIAMoDRIMCgR3b2tlGAsgAygNEg4KBm1pc3NlZBgMIAEoDSKTAQoMQ29udGFjdEV2ZW50EhAKCGVudGl0eV9hGAEgASgNEhAKCGVudGl0eV9iGAIgASgNEh4KBXBvaW50GAMgASgLMg8uam9zdGxlLnYxLlZlYzMSHwoGbm9ybWFsGAQgASgLMg8uam9zdGxlLnYxLlZlYzMSDQoFc3BlZWQYBSABKAESDwoHaW1wdWxzZRgGIAEoASIvCgxUcmlnZ2VyRXZlbnQSDwoHdHJpZ2dlchgBIAEoDRIOCgZlbnRpdHkYAiABKA0iVAoPSm9pbnRCcmVha0V2ZW50EhAKCGVudGl0eV9hGAEgASgNEhAKCGVudGl0eV9iGAIgASgNEg0KBWZvcmNlGAMgASgBEg4KBnRvcnF1ZRgEIAEoASqOAQoLQ2hhbm5lbEZvcm0SHAoYQ0hBTk5FTF9GT1JNX1VOU1BFQ0lGSUVEEAASFwoTQ0hBTk5FTF9GT1JNX1BBUkFNUxABEhcKE0NIQU5ORUxfRk9STV9QT0lOVFMQAhIVChFDSEFOTkVMX0ZPUk1fU0VFRBAEIgQIAxADKhJDSEFOTkVMX0ZPUk1fRklFTEQqnAEKCVBvaW50Rm9ybRIaChZQT0lOVF9GT1JNX1VOU1BFQ0lGSUVEEAASFAoQUE9JTlRfRk9STV9MT09TRRABEhYKElBPSU5UX0ZPUk1fU1RSQU5EUxACEhMKD1BPSU5UX0ZPUk1fR1JJRBADEhgKFFBPSU5UX0ZPUk1fVFJJQU5HTEVTEAQSFgoSUE9JTlRfRk9STV9IRUlHSFRTEAUqvwEKCUlucHV0Q29kZRIaChZJTlBVVF9DT0RFX1VOU1BFQ0lGSUVEEAASFgoSSU5QVVRfQ09ERV9BUFBMSUVEEAESFgoSSU5QVVRfQ09ERV9JTlZBTElEEAISGAoUSU5QVVRfQ09ERV9OT1RfRk9VTkQQAxIaChZJTlBVVF9DT0RFX05PVF9BTExPV0VEEAQSFAoQSU5QVVRfQ09ERV9MSU1JVBAFEhoKFklOUFVUX0NPREVfVU5BVkFJTEFCTEUQBiq3AQoKTm90aWNlQ29kZRIbChdOT1RJQ0VfQ09ERV9VTlNQRUNJRklFRBAAEhgKFE5PVElDRV9DT0RFX0RSQUlOSU5HEAESHAoYTk9USUNFX0NPREVfV09STERfQ0xPU0VEEAISFwoTTk9USUNFX0NPREVfUkVGVVNFRBADEhoKFk5PVElDRV9DT0RFX1JBVEVfTElNSVQQBBIfChtOT1RJQ0VfQ09ERV9XT1JMRF9SRVNUQVJURUQQBTJNCgtQbGF5U2VydmljZRI+CgRQbGF5Ehguam9zdGxlLnYxLkNsaWVudE1lc3NhZ2UaGC5qb3N0bGUudjEuU2VydmVyTWVzc2FnZSgBMAFiBnByb3RvMw", [file_jostle_v1_common, file_jostle_v1_scene]);
+  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIvEBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAEicKCGludGVyZXN0GAYgASgLMhMuam9zdGxlLnYxLkludGVyZXN0SABCCQoHbWVzc2FnZSKFAwoFSGVsbG8SEAoIcHJvdG9jb2wYASABKA0SDQoFd29ybGQYAiABKAkSDgoGdGlja2V0GAMgASgJEgwKBG5hbWUYBCABKAkSEwoLc25hcHNob3RfaHoYBSABKA0SEQoJc3BlY3RhdG9yGAYgASgIEg4KBmV2ZW50cxgHIAEoCBINCgV0b2tlbhgIIAEoCRIQCghjaGFubmVscxgJIAMoCRINCgVjb2RlYxgKIAEoDRIQCghtYXhfa2JwcxgLIAEoDRIlCghpbnRlcmVzdBgOIAEoCzITLmpvc3RsZS52MS5JbnRlcmVzdBInCglwcmVjaXNpb24YDyABKAsyFC5qb3N0bGUudjEuUHJlY2lzaW9uEhcKD3BhY2tlZF9lbnRpdGllcxgQIAEoCBIRCglkYXRhZ3JhbXMYFCABKAgSEQoJcmVzdW1hYmxlGDwgASgIEiEKBnJlc3VtZRg9IAEoCzIRLmpvc3RsZS52MS5SZXN1bWUSEQoJam9pbl9jb2RlGEsgASgJIiYKBlJlc3VtZRINCgV0b2tlbhgBIAEoDBINCgVmcmFtZRgCIAEoDSI6CghJbnRlcmVzdBIeCgVmb2N1cxgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEg4KBnJhZGl1cxgCIAEoASJ7CgpJbnB1dEJhdGNoEhYKDmZpcnN0X3NlcXVlbmNlGAEgASgNEiAKBmlucHV0cxgCIAMoCzIQLmpvc3RsZS52MS5JbnB1dBIbCgNhY2sYAyABKAsyDi5qb3N0bGUudjEuQWNrEhYKDmNsaWVudF90aW1lX3VzGAQgASgHIuEDCgVJbnB1dBImCgVzcGF3bhgBIAEoCzIVLmpvc3RsZS52MS5TcGF3bklucHV0SAASKgoHaW1wdWxzZRgCIAEoCzIXLmpvc3RsZS52MS5JbXB1bHNlSW5wdXRIABIkCgRncmFiGAMgASgLMhQuam9zdGxlLnYxLkdyYWJJbnB1dEgAEiQKBGRyYWcYBCABKAsyFC5qb3N0bGUudjEuRHJhZ0lucHV0SAASKgoHcmVsZWFzZRgFIAEoCzIXLmpvc3RsZS52MS5SZWxlYXNlSW5wdXRIABIoCgZkZWxldGUYBiABKAsyFi5qb3N0bGUudjEuRGVsZXRlSW5wdXRIABIqCgdleHBsb2RlGAcgASgLMhcuam9zdGxlLnYxLkV4cGxvZGVJbnB1dEgAEioKB3Bvc3Nlc3MYCCABKAsyFy5qb3N0bGUudjEuUG9zc2Vzc0lucHV0SAASKgoHY29udHJvbBgJIAEoCzIXLmpvc3RsZS52MS5Db250cm9sSW5wdXRIABIiCgNjdXQYCiABKAsyEy5qb3N0bGUudjEuQ3V0SW5wdXRIABIkCgRyb29tGA0gASgLMhQuam9zdGxlLnYxLlJvb21JbnB1dEgAEgwKBHRpY2sYDyABKA1CBgoEa2luZCLmAQoKU3Bhd25JbnB1dBIfCgVzaGFwZRgBIAEoCzIQLmpvc3RsZS52MS5TaGFwZRIhCghwb3NpdGlvbhgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAMgASgLMg8uam9zdGxlLnYxLlF1YXQSKAoPbGluZWFyX3ZlbG9jaXR5GAQgASgLMg8uam9zdGxlLnYxLlZlYzMSKQoQYW5ndWxhcl92ZWxvY2l0eRgFIAEoCzIPLmpvc3RsZS52MS5WZWMzEhIKBWNvbG9yGAYgASgHSACIAQFCCAoGX2NvbG9yIn8KA0FpbRIfCgZvcmlnaW4YASABKAsyDy5qb3N0bGUudjEuVmVjMxIfCgZtb3Rpb24YAiABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZpZ25vcmUYAyABKA0SJgoJdmlld190aW1lGAQgASgLMhMuam9zdGxlLnYxLlZpZXdUaW1lIo0BCgxJbXB1bHNlSW5wdXQSDgoGZW50aXR5GAEgASgNEiAKB2ltcHVsc2UYAiABKAsyDy5qb3N0bGUudjEuVmVjMxIeCgVwb2ludBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzEhsKA2FpbRgEIAEoCzIOLmpvc3RsZS52MS5BaW0SDgoGb2JqZWN0GAUgASgNImgKCUdyYWJJbnB1dBIOCgZlbnRpdHkYASABKA0SHgoFcG9pbnQYAiABKAsyDy5qb3N0bGUudjEuVmVjMxIbCgNhaW0YAyABKAsyDi5qb3N0bGUudjEuQWltEg4KBm9iamVjdBgEIAEoDSIsCglEcmFnSW5wdXQSHwoGdGFyZ2V0GAEgASgLMg8uam9zdGxlLnYxLlZlYzMiDgoMUmVsZWFzZUlucHV0Ih0KC0RlbGV0ZUlucHV0Eg4KBmVudGl0eRgBIAEoDSJrCgxFeHBsb2RlSW5wdXQSHwoGY2VudGVyGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBEg0KBXNwZWVkGAMgASgBEhsKA2FpbRgEIAEoCzIOLmpvc3RsZS52MS5BaW0iVwoIQ3V0SW5wdXQSDgoGb2JqZWN0GAEgASgNEh4KBXBvaW50GAIgASgLMg8uam9zdGxlLnYxLlZlYzMSGwoDYWltGAMgASgLMg4uam9zdGxlLnYxLkFpbSIeCgxQb3NzZXNzSW5wdXQSDgoGZW50aXR5GAEgASgNIi0KDENvbnRyb2xJbnB1dBIMCgRheGVzGAEgAygREg8KB2J1dHRvbnMYAiABKA0ijQQKCVJvb21JbnB1dBIrCghzZXRfcm9sZRgBIAEoCzIXLmpvc3RsZS52MS5TZXRSb2xlSW5wdXRIABIkCgRraWNrGAIgASgLMhQuam9zdGxlLnYxLktpY2tJbnB1dEgAEiIKA2JhbhgDIAEoCzITLmpvc3RsZS52MS5CYW5JbnB1dEgAEiYKBXVuYmFuGAQgASgLMhUuam9zdGxlLnYxLlVuYmFuSW5wdXRIABIkCgRtdXRlGAUgASgLMhQuam9zdGxlLnYxLk11dGVJbnB1dEgAEisKCGNsZWFuX3VwGAYgASgLMhcuam9zdGxlLnYxLkNsZWFuVXBJbnB1dEgAEioKB3Byb3RlY3QYByABKAsyFy5qb3N0bGUudjEuUHJvdGVjdElucHV0SAASLgoJdW5wcm90ZWN0GAggASgLMhkuam9zdGxlLnYxLlVucHJvdGVjdElucHV0SAASLQoJdm90ZV9raWNrGAkgASgLMhguam9zdGxlLnYxLlZvdGVLaWNrSW5wdXRIABImCgVwYXVzZRgKIAEoCzIVLmpvc3RsZS52MS5QYXVzZUlucHV0SAASJgoFcmVzZXQYCyABKAsyFS5qb3N0bGUudjEuUmVzZXRJbnB1dEgAEisKCHNldHRpbmdzGAwgASgLMhcuam9zdGxlLnYxLlJvb21TZXR0aW5nc0gAQgYKBGtpbmQiQwoMU2V0Um9sZUlucHV0Eg4KBmNsaWVudBgBIAEoDRIjCgRyb2xlGAIgASgOMhUuam9zdGxlLnYxLlBsYXllclJvbGUiKwoJS2lja0lucHV0Eg4KBmNsaWVudBgBIAEoDRIOCgZyZWFzb24YAiABKAkiOwoIQmFuSW5wdXQSDgoGY2xpZW50GAEgASgNEg8KB3NlY29uZHMYAiABKAESDgoGcmVhc29uGAMgASgJIhwKClVuYmFuSW5wdXQSDgoGbWVtYmVyGAEgASgJIiwKCU11dGVJbnB1dBIOCgZjbGllbnQYASABKA0SDwoHc2Vjb25kcxgCIAEoASIeCgxDbGVhblVwSW5wdXQSDgoGY2xpZW50GAEgASgNIjYKDFByb3RlY3RJbnB1dBImCgRhcmVhGAEgASgLMhguam9zdGxlLnYxLlByb3RlY3RlZEFyZWEiHgoOVW5wcm90ZWN0SW5wdXQSDAoEbmFtZRgBIAEoCSIfCg1Wb3RlS2lja0lucHV0Eg4KBmNsaWVudBgBIAEoDSIcCgpQYXVzZUlucHV0Eg4KBnBhdXNlZBgBIAEoCCIMCgpSZXNldElucHV0IlMKA0FjaxINCgVmcmFtZRgBIAEoDRIVCg1uZWVkX2tleWZyYW1lGAIgASgIEhQKDGFja19kZWxheV9tcxgDIAEoDRIQCghhY2tfYml0cxgIIAEoByIeCgRQaW5nEhYKDmNsaWVudF90aW1lX3VzGAEgASgGIgcKBUxlYXZlIsACCg1TZXJ2ZXJNZXNzYWdlEiUKB3dlbGNvbWUYASABKAsyEi5qb3N0bGUudjEuV2VsY29tZUgAEjAKDWVudGl0eV91cGRhdGUYAiABKAsyFy5qb3N0bGUudjEuRW50aXR5VXBkYXRlSAASJwoIc25hcHNob3QYAyABKAsyEy5qb3N0bGUudjEuU25hcHNob3RIABIfCgRwb25nGAUgASgLMg8uam9zdGxlLnYxLlBvbmdIABIjCgZub3RpY2UYByABKAsyES5qb3N0bGUudjEuTm90aWNlSAASLAoIZ2VvbWV0cnkYCSABKAsyGC5qb3N0bGUudjEuR2VvbWV0cnlDaHVua0gAQgkKB21lc3NhZ2VKBAgEEAVKBAgGEAdKBAgIEAlSDWlucHV0X3Jlc3VsdHNSBXN0YXRzUgZldmVudHMiWgoKQ2VsbFVwZGF0ZRIMCgRjZWxsGAEgASgNEg4KBm51bWJlchgCIAEoDRIRCgliYXNlbGluZXMYAyABKA0SDgoGcGFja2VkGAQgASgMEgsKA2NyYxgFIAEoByK/BAoHV2VsY29tZRIRCgljbGllbnRfaWQYASABKA0SEAoId29ybGRfaWQYAiABKAkSEgoKd29ybGRfbmFtZRgDIAEoCRIMCgR0aWNrGAQgASgNEg8KB3RpY2tfaHoYBSABKAESEwoLc25hcHNob3RfaHoYBiABKA0SIwoFcXVhbnQYCCABKAsyFC5qb3N0bGUudjEuUXVhbnRTcGVjEhYKDnNlcnZlcl90aW1lX3VzGAkgASgGEiAKB2dyYXZpdHkYCiABKAsyDy5qb3N0bGUudjEuVmVjMxIoCghjaGFubmVscxgLIAMoCzIWLmpvc3RsZS52MS5DaGFubmVsS2luZBINCgVjb2RlYxgMIAEoDRIXCg9hY2tfaW50ZXJ2YWxfbXMYDSABKA0SEAoIZXBvY2hfdXMYDiABKAYSDQoFY2VsbHMYDyABKAgSJwoJcHJlY2lzaW9uGBIgASgLMhQuam9zdGxlLnYxLlByZWNpc2lvbhIQCghzdWJzdGVwcxgQIAEoDRIxCglkYXRhZ3JhbXMYFCABKAsyHi5qb3N0bGUudjEuRGF0YWdyYW1DcmVkZW50aWFscxIUCgxyZXN1bWVfdG9rZW4YPCABKAwSDwoHcmVzdW1lZBg9IAEoCBIXCg9zdGF0ZV9wcmVzZXJ2ZWQYPiABKAgSFQoNbGFzdF9zZXF1ZW5jZRg/IAEoDRIeChZyZXN1bWVfdGltZW91dF9zZWNvbmRzGEAgASgBSgQIBxAIUgphY2tfd2luZG93IjwKE0RhdGFncmFtQ3JlZGVudGlhbHMSDAoEcG9ydBgBIAEoDRIKCgJpZBgCIAEoBhILCgNrZXkYAyABKAwiUgoLQ2hhbm5lbEtpbmQSDAoEbmFtZRgBIAEoCRIkCgRmb3JtGAIgASgOMhYuam9zdGxlLnYxLkNoYW5uZWxGb3JtEg8KB2Rpdmlzb3IYAyABKA0iswIKC1BvaW50T2JqZWN0EgoKAmlkGAEgASgNEgwKBGtpbmQYAiABKA0SCwoDa2V5GAMgASgNEg4KBmVudGl0eRgEIAEoDRIiCgRmb3JtGAUgASgOMhQuam9zdGxlLnYxLlBvaW50Rm9ybRIPCgdzdGVwX3VtGAYgASgNEg4KBnBvaW50cxgHIAEoDRIPCgdjb2x1bW5zGAggASgNEg8KB3N0cmFuZHMYCSADKA0SEQoJdHJpYW5nbGVzGAogAygREg4KBnJhZGl1cxgLIAEoAhISCgVjb2xvchgMIAEoB0gAiAEBEh8KBm9yaWdpbhgNIAEoCzIPLmpvc3RsZS52MS5WZWMzEhEKCXNwYWNpbmdfeBgOIAEoAhIRCglzcGFjaW5nX3oYDyABKAJCCAoGX2NvbG9yImYKC1BvaW50VXBkYXRlEg4KBm9iamVjdBgBIAEoDRIOCgZudW1iZXIYAiABKA0SDAoEYmFjaxgDIAEoDRIMCgR0aWNrGAQgASgNEg4KBnBhY2tlZBgFIAEoDBILCgNjcmMYBiABKAciQAoJUXVhbnRTcGVjEhcKD3VuaXRzX3Blcl9tZXRlchgBIAEoDRIaChJyb3RhdGlvbl9jb21wb25lbnQYAiABKA0iTQoNR2VvbWV0cnlDaHVuaxIKCgJpZBgBIAEoBhINCgVjaHVuaxgCIAEoDRITCgtjaHVua19jb3VudBgDIAEoDRIMCgRkYXRhGAQgASgMIngKDEVudGl0eVVwZGF0ZRIgCgVhZGRlZBgBIAMoCzIRLmpvc3RsZS52MS5FbnRpdHkSDwoHcmVtb3ZlZBgCIAMoDRIOCgZwYWNrZWQYAyABKAwSJQoKcHJvdG90eXBlcxgEIAMoCzIRLmpvc3RsZS52MS5FbnRpdHkiyQIKBkVudGl0eRIKCgJpZBgBIAEoDRIhCgR0eXBlGAIgASgOMhMuam9zdGxlLnYxLkJvZHlUeXBlEiAKBnNoYXBlcxgDIAMoCzIQLmpvc3RsZS52MS5TaGFwZRINCgVvd25lchgEIAEoDRISCgVjb2xvchgFIAEoB0gAiAEBEgwKBG5hbWUYBiABKAkSDAoEbWFzcxgHIAEoARIUCgxjb250cm9sbGFibGUYCCABKAgSFgoObGluZWFyX2RhbXBpbmcYCSABKAESFwoPYW5ndWxhcl9kYW1waW5nGAogASgBEhoKDWdyYXZpdHlfc2NhbGUYCyABKAFIAYgBARIfCgVsb2NrcxgMIAEoCzIQLmpvc3RsZS52MS5Mb2NrcxIPCgdqb2ludGVkGA0gASgIQggKBl9jb2xvckIQCg5fZ3Jhdml0eV9zY2FsZSLJBAoIU25hcHNob3QSDQoFZnJhbWUYASABKA0SEQoJYmFzZWxpbmVzGAIgASgNEg4KBnBhY2tlZBgFIAEoDBILCgNjcmMYBiABKAcSDwoHbGF0ZV91cxgHIAEoEhIQCghjaGFubmVscxgJIAEoDBIUCgxjaGFubmVsc19jcmMYCiABKAcSFwoPdW5jaGFuZ2VkX3RpY2tzGAsgASgNEiQKBXN0YXRzGAwgASgLMhUuam9zdGxlLnYxLldvcmxkU3RhdHMSIQoGZXZlbnRzGA0gAygLMhEuam9zdGxlLnYxLkV2ZW50cxIuCg1jbGllbnRfdXBkYXRlGA8gASgLMhcuam9zdGxlLnYxLkNsaWVudFVwZGF0ZRIkCgVjZWxscxgQIAMoCzIVLmpvc3RsZS52MS5DZWxsVXBkYXRlEhIKCmNlbGxzX2xlZnQYESADKA0SOwoRY29udHJvbGxlZF9lbnRpdHkYEiABKAsyIC5qb3N0bGUudjEuQ29udHJvbGxlZEVudGl0eVN0YXRlEi0KDXBvaW50X29iamVjdHMYEyADKAsyFi5qb3N0bGUudjEuUG9pbnRPYmplY3QSJgoGcG9pbnRzGBQgAygLMhYuam9zdGxlLnYxLlBvaW50VXBkYXRlEhQKDHBvaW50c19lbmRlZBgVIAMoDUoECAMQBEoECAQQBUoECAgQCVIKYmFzZV9mcmFtZVILYmFzZTJfZnJhbWVSC2Jhc2UzX2ZyYW1lUg5zZXJ2ZXJfdGltZV91c1IHbW9kdWxlcyK4AQoMQ2xpZW50VXBkYXRlEhYKDmlucHV0X3NlcXVlbmNlGAEgASgNEhsKE2VjaG9fY2xpZW50X3RpbWVfdXMYAiABKAcSGQoRc25hcHNob3RzX3NraXBwZWQYAyABKA0SJwoHcmVzdWx0cxgEIAMoCzIWLmpvc3RsZS52MS5JbnB1dFJlc3VsdBIXCg9pbnB1dF9tYXJnaW5fdXMYByABKBESFgoOaW5wdXRfcmVjZWl2ZWQYDCABKA0ijAEKFUNvbnRyb2xsZWRFbnRpdHlTdGF0ZRIOCgZlbnRpdHkYASABKA0SDgoGbW9kdWxlGAIgASgJEgwKBHRpY2sYAyABKA0SDQoFd29yZHMYBCABKA0SEAoIa2V5ZnJhbWUYBSABKAgSFAoMY2hhbmdlZF9tYXNrGAYgASgMEg4KBnZhbHVlcxgHIAEoDCKlAQoLSW5wdXRSZXN1bHQSEAoIc2VxdWVuY2UYASABKA0SIgoEY29kZRgCIAEoDjIULmpvc3RsZS52MS5JbnB1dENvZGUSDAoEdGljaxgDIAEoDRIOCgZlbnRpdHkYBCABKA0SDwoHbWVzc2FnZRgFIAEoCRIZChF2aWV3X3RpbWVfY2xhbXBlZBgGIAEoCBIWCg5yZXRyeV9hZnRlcl9tcxgHIAEoDSI2CgRQb25nEhYKDmNsaWVudF90aW1lX3VzGAEgASgGEhYKDnNlcnZlcl90aW1lX3VzGAIgASgGIr8BCgpXb3JsZFN0YXRzEgwKBHRpY2sYASABKA0SDgoGYm9kaWVzGAIgASgNEg0KBWF3YWtlGAMgASgNEhAKCGNvbnRhY3RzGAQgASgNEg8KB2NsaWVudHMYBSABKA0SFAoMc3RlcF9tc19tZWFuGAYgASgBEhMKC3N0ZXBfbXNfbWF4GAcgASgBEhIKCmxhdGVfdGlja3MYCCABKA0SDgoGcGF1c2VkGAkgASgJEhIKCnRpbWVfc2NhbGUYCiABKAEiPgoGTm90aWNlEiMKBGNvZGUYASABKA4yFS5qb3N0bGUudjEuTm90aWNlQ29kZRIPCgdtZXNzYWdlGAIgASgJIsQDCgZFdmVudHMSDAoEdGljaxgBIAEoDRIvCg5jb250YWN0c19iZWdhbhgCIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSLwoOY29udGFjdHNfZW5kZWQYAyADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EikKCGNvbnRhY3RzGAQgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIlCgRoaXRzGAUgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIxChB0cmlnZ2Vyc19lbnRlcmVkGAYgAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIwCg90cmlnZ2Vyc19zdGF5ZWQYByADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50Ei4KDXRyaWdnZXJzX2xlZnQYCCADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50EjAKDGpvaW50c19icm9rZRgJIAMoCzIaLmpvc3RsZS52MS5Kb2ludEJyZWFrRXZlbnQSEwoLZmVsbF9hc2xlZXAYCiADKA0SDAoEd29rZRgLIAMoDRIOCgZtaXNzZWQYDCABKA0ikwEKDENvbnRhY3RFdmVudBIQCghlbnRpdHlfYRgBIAEoDRIQCghlbnRpdHlfYhgCIAEoDRIeCgVwb2ludBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzEh8KBm5vcm1hbBgEIAEoCzIPLmpvc3RsZS52MS5WZWMzEg0KBXNwZWVkGAUgASgBEg8KB2ltcHVsc2UYBiABKAEiLwoMVHJpZ2dlckV2ZW50Eg8KB3RyaWdnZXIYASABKA0SDgoGZW50aXR5GAIgASgNIlQKD0pvaW50QnJlYWtFdmVudBIQCghlbnRpdHlfYRgBIAEoDRIQCghlbnRpdHlfYhgCIAEoDRINCgVmb3JjZRgDIAEoARIOCgZ0b3JxdWUYBCABKAEqjAEKClBsYXllclJvbGUSGwoXUExBWUVSX1JPTEVfVU5TUEVDSUZJRUQQABIZChVQTEFZRVJfUk9MRV9TUEVDVEFUT1IQARIWChJQTEFZRVJfUk9MRV9QTEFZRVIQAhIXChNQTEFZRVJfUk9MRV9CVUlMREVSEAMSFQoRUExBWUVSX1JPTEVfT1dORVIQBCqOAQoLQ2hhbm5lbEZvcm0SHAoYQ0hBTk5FTF9GT1JNX1VOU1BFQ0lGSUVEEAASFwoTQ0hBTk5FTF9GT1JNX1BBUkFNUxABEhcKE0NIQU5ORUxfRk9STV9QT0lOVFMQAhIVChFDSEFOTkVMX0ZPUk1fU0VFRBAEIgQIAxADKhJDSEFOTkVMX0ZPUk1fRklFTEQqnAEKCVBvaW50Rm9ybRIaChZQT0lOVF9GT1JNX1VOU1BFQ0lGSUVEEAASFAoQUE9JTlRfRk9STV9MT09TRRABEhYKElBPSU5UX0ZPUk1fU1RSQU5EUxACEhMKD1BPSU5UX0ZPUk1fR1JJRBADEhgKFFBPSU5UX0ZPUk1fVFJJQU5HTEVTEAQSFgoSUE9JTlRfRk9STV9IRUlHSFRTEAUqvwEKCUlucHV0Q29kZRIaChZJTlBVVF9DT0RFX1VOU1BFQ0lGSUVEEAASFgoSSU5QVVRfQ09ERV9BUFBMSUVEEAESFgoSSU5QVVRfQ09ERV9JTlZBTElEEAISGAoUSU5QVVRfQ09ERV9OT1RfRk9VTkQQAxIaChZJTlBVVF9DT0RFX05PVF9BTExPV0VEEAQSFAoQSU5QVVRfQ09ERV9MSU1JVBAFEhoKFklOUFVUX0NPREVfVU5BVkFJTEFCTEUQBiq3AQoKTm90aWNlQ29kZRIbChdOT1RJQ0VfQ09ERV9VTlNQRUNJRklFRBAAEhgKFE5PVElDRV9DT0RFX0RSQUlOSU5HEAESHAoYTk9USUNFX0NPREVfV09STERfQ0xPU0VEEAISFwoTTk9USUNFX0NPREVfUkVGVVNFRBADEhoKFk5PVElDRV9DT0RFX1JBVEVfTElNSVQQBBIfChtOT1RJQ0VfQ09ERV9XT1JMRF9SRVNUQVJURUQQBTJNCgtQbGF5U2VydmljZRI+CgRQbGF5Ehguam9zdGxlLnYxLkNsaWVudE1lc3NhZ2UaGC5qb3N0bGUudjEuU2VydmVyTWVzc2FnZSgBMAFiBnByb3RvMw", [file_jostle_v1_common, file_jostle_v1_room, file_jostle_v1_scene]);
 
 /**
  * A message from the client to the server.
@@ -208,6 +210,13 @@ export type Hello = Message<"jostle.v1.Hello"> & {
    * @generated from field: jostle.v1.Resume resume = 61;
    */
   resume?: Resume | undefined;
+
+  /**
+   * of a private room, at most 64 bytes; a ticket replaces it
+   *
+   * @generated from field: string join_code = 75;
+   */
+  joinCode: string;
 };
 
 /**
@@ -383,6 +392,12 @@ export type Input = Message<"jostle.v1.Input"> & {
      */
     value: CutInput;
     case: "cut";
+  } | {
+    /**
+     * @generated from field: jostle.v1.RoomInput room = 13;
+     */
+    value: RoomInput;
+    case: "room";
   } | { case: undefined; value?: undefined };
 
   /**
@@ -776,6 +791,339 @@ export const ControlInputSchema: GenMessage<ControlInput> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 16);
 
 /**
+ * A command about the room (room.proto). The permissions of the room decide who may send it. A command about a client
+ * requires a higher role than that of the client.
+ *
+ * @generated from message jostle.v1.RoomInput
+ */
+export type RoomInput = Message<"jostle.v1.RoomInput"> & {
+  /**
+   * @generated from oneof jostle.v1.RoomInput.kind
+   */
+  kind: {
+    /**
+     * @generated from field: jostle.v1.SetRoleInput set_role = 1;
+     */
+    value: SetRoleInput;
+    case: "setRole";
+  } | {
+    /**
+     * @generated from field: jostle.v1.KickInput kick = 2;
+     */
+    value: KickInput;
+    case: "kick";
+  } | {
+    /**
+     * @generated from field: jostle.v1.BanInput ban = 3;
+     */
+    value: BanInput;
+    case: "ban";
+  } | {
+    /**
+     * @generated from field: jostle.v1.UnbanInput unban = 4;
+     */
+    value: UnbanInput;
+    case: "unban";
+  } | {
+    /**
+     * @generated from field: jostle.v1.MuteInput mute = 5;
+     */
+    value: MuteInput;
+    case: "mute";
+  } | {
+    /**
+     * @generated from field: jostle.v1.CleanUpInput clean_up = 6;
+     */
+    value: CleanUpInput;
+    case: "cleanUp";
+  } | {
+    /**
+     * @generated from field: jostle.v1.ProtectInput protect = 7;
+     */
+    value: ProtectInput;
+    case: "protect";
+  } | {
+    /**
+     * @generated from field: jostle.v1.UnprotectInput unprotect = 8;
+     */
+    value: UnprotectInput;
+    case: "unprotect";
+  } | {
+    /**
+     * @generated from field: jostle.v1.VoteKickInput vote_kick = 9;
+     */
+    value: VoteKickInput;
+    case: "voteKick";
+  } | {
+    /**
+     * @generated from field: jostle.v1.PauseInput pause = 10;
+     */
+    value: PauseInput;
+    case: "pause";
+  } | {
+    /**
+     * @generated from field: jostle.v1.ResetInput reset = 11;
+     */
+    value: ResetInput;
+    case: "reset";
+  } | {
+    /**
+     * replaces all settings of the room, also the join code and the areas
+     *
+     * @generated from field: jostle.v1.RoomSettings settings = 12;
+     */
+    value: RoomSettings;
+    case: "settings";
+  } | { case: undefined; value?: undefined };
+};
+
+/**
+ * Describes the message jostle.v1.RoomInput.
+ * Use `create(RoomInputSchema)` to create a new message.
+ */
+export const RoomInputSchema: GenMessage<RoomInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 17);
+
+/**
+ * Changes the role of a client. The role owner transfers the ownership of the room: the sender becomes a builder.
+ *
+ * @generated from message jostle.v1.SetRoleInput
+ */
+export type SetRoleInput = Message<"jostle.v1.SetRoleInput"> & {
+  /**
+   * @generated from field: uint32 client = 1;
+   */
+  client: number;
+
+  /**
+   * @generated from field: jostle.v1.PlayerRole role = 2;
+   */
+  role: PlayerRole;
+};
+
+/**
+ * Describes the message jostle.v1.SetRoleInput.
+ * Use `create(SetRoleInputSchema)` to create a new message.
+ */
+export const SetRoleInputSchema: GenMessage<SetRoleInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 18);
+
+/**
+ * Ends the session of a client, with PERMISSION_DENIED and the reason. It may join again.
+ *
+ * @generated from message jostle.v1.KickInput
+ */
+export type KickInput = Message<"jostle.v1.KickInput"> & {
+  /**
+   * @generated from field: uint32 client = 1;
+   */
+  client: number;
+
+  /**
+   * at most 100 bytes
+   *
+   * @generated from field: string reason = 2;
+   */
+  reason: string;
+};
+
+/**
+ * Describes the message jostle.v1.KickInput.
+ * Use `create(KickInputSchema)` to create a new message.
+ */
+export const KickInputSchema: GenMessage<KickInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 19);
+
+/**
+ * Kicks a client, and refuses its subject or, without a subject, its network from now on.
+ *
+ * @generated from message jostle.v1.BanInput
+ */
+export type BanInput = Message<"jostle.v1.BanInput"> & {
+  /**
+   * @generated from field: uint32 client = 1;
+   */
+  client: number;
+
+  /**
+   * of simulated time, at most 10 years; 0: until an UnbanInput
+   *
+   * @generated from field: double seconds = 2;
+   */
+  seconds: number;
+
+  /**
+   * at most 100 bytes
+   *
+   * @generated from field: string reason = 3;
+   */
+  reason: string;
+};
+
+/**
+ * Describes the message jostle.v1.BanInput.
+ * Use `create(BanInputSchema)` to create a new message.
+ */
+export const BanInputSchema: GenMessage<BanInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 20);
+
+/**
+ * @generated from message jostle.v1.UnbanInput
+ */
+export type UnbanInput = Message<"jostle.v1.UnbanInput"> & {
+  /**
+   * RoomBan.member
+   *
+   * @generated from field: string member = 1;
+   */
+  member: string;
+};
+
+/**
+ * Describes the message jostle.v1.UnbanInput.
+ * Use `create(UnbanInputSchema)` to create a new message.
+ */
+export const UnbanInputSchema: GenMessage<UnbanInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 21);
+
+/**
+ * Refuses the messages of a client to other clients.
+ *
+ * @generated from message jostle.v1.MuteInput
+ */
+export type MuteInput = Message<"jostle.v1.MuteInput"> & {
+  /**
+   * @generated from field: uint32 client = 1;
+   */
+  client: number;
+
+  /**
+   * of simulated time, at most 10 years; 0: ends the mute
+   *
+   * @generated from field: double seconds = 2;
+   */
+  seconds: number;
+};
+
+/**
+ * Describes the message jostle.v1.MuteInput.
+ * Use `create(MuteInputSchema)` to create a new message.
+ */
+export const MuteInputSchema: GenMessage<MuteInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 22);
+
+/**
+ * Deletes all bodies that a client spawned, also after it left.
+ *
+ * @generated from message jostle.v1.CleanUpInput
+ */
+export type CleanUpInput = Message<"jostle.v1.CleanUpInput"> & {
+  /**
+   * @generated from field: uint32 client = 1;
+   */
+  client: number;
+};
+
+/**
+ * Describes the message jostle.v1.CleanUpInput.
+ * Use `create(CleanUpInputSchema)` to create a new message.
+ */
+export const CleanUpInputSchema: GenMessage<CleanUpInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 23);
+
+/**
+ * Adds a protected area, or replaces the one with its name.
+ *
+ * @generated from message jostle.v1.ProtectInput
+ */
+export type ProtectInput = Message<"jostle.v1.ProtectInput"> & {
+  /**
+   * @generated from field: jostle.v1.ProtectedArea area = 1;
+   */
+  area?: ProtectedArea | undefined;
+};
+
+/**
+ * Describes the message jostle.v1.ProtectInput.
+ * Use `create(ProtectInputSchema)` to create a new message.
+ */
+export const ProtectInputSchema: GenMessage<ProtectInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 24);
+
+/**
+ * @generated from message jostle.v1.UnprotectInput
+ */
+export type UnprotectInput = Message<"jostle.v1.UnprotectInput"> & {
+  /**
+   * ProtectedArea.name
+   *
+   * @generated from field: string name = 1;
+   */
+  name: string;
+};
+
+/**
+ * Describes the message jostle.v1.UnprotectInput.
+ * Use `create(UnprotectInputSchema)` to create a new message.
+ */
+export const UnprotectInputSchema: GenMessage<UnprotectInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 25);
+
+/**
+ * Begins a vote to kick a client, or joins it. The vote succeeds with the votes of more than half of the other players,
+ * at least 2, within 60 s. A client begins at most one vote in 120 s.
+ *
+ * @generated from message jostle.v1.VoteKickInput
+ */
+export type VoteKickInput = Message<"jostle.v1.VoteKickInput"> & {
+  /**
+   * @generated from field: uint32 client = 1;
+   */
+  client: number;
+};
+
+/**
+ * Describes the message jostle.v1.VoteKickInput.
+ * Use `create(VoteKickInputSchema)` to create a new message.
+ */
+export const VoteKickInputSchema: GenMessage<VoteKickInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 26);
+
+/**
+ * Pauses the world, or resumes it if a member of the room paused it.
+ *
+ * @generated from message jostle.v1.PauseInput
+ */
+export type PauseInput = Message<"jostle.v1.PauseInput"> & {
+  /**
+   * @generated from field: bool paused = 1;
+   */
+  paused: boolean;
+};
+
+/**
+ * Describes the message jostle.v1.PauseInput.
+ * Use `create(PauseInputSchema)` to create a new message.
+ */
+export const PauseInputSchema: GenMessage<PauseInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 27);
+
+/**
+ * Starts the world from its scene again. Clients receive a WORLD_RESTARTED notice and resume their sessions.
+ *
+ * @generated from message jostle.v1.ResetInput
+ */
+export type ResetInput = Message<"jostle.v1.ResetInput"> & {
+};
+
+/**
+ * Describes the message jostle.v1.ResetInput.
+ * Use `create(ResetInputSchema)` to create a new message.
+ */
+export const ResetInputSchema: GenMessage<ResetInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 28);
+
+/**
  * Acknowledges decoded snapshots.
  *
  * @generated from message jostle.v1.Ack
@@ -816,7 +1164,7 @@ export type Ack = Message<"jostle.v1.Ack"> & {
  * Use `create(AckSchema)` to create a new message.
  */
 export const AckSchema: GenMessage<Ack> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 17);
+  messageDesc(file_jostle_v1_play, 29);
 
 /**
  * Measures the clock offset and the round-trip time. The server answers with a Pong.
@@ -837,7 +1185,7 @@ export type Ping = Message<"jostle.v1.Ping"> & {
  * Use `create(PingSchema)` to create a new message.
  */
 export const PingSchema: GenMessage<Ping> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 18);
+  messageDesc(file_jostle_v1_play, 30);
 
 /**
  * Ends the session. The server removes the client at once, without a resume timeout, and closes the stream with OK.
@@ -852,7 +1200,7 @@ export type Leave = Message<"jostle.v1.Leave"> & {
  * Use `create(LeaveSchema)` to create a new message.
  */
 export const LeaveSchema: GenMessage<Leave> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 19);
+  messageDesc(file_jostle_v1_play, 31);
 
 /**
  * A message from the server to the client.
@@ -909,7 +1257,7 @@ export type ServerMessage = Message<"jostle.v1.ServerMessage"> & {
  * Use `create(ServerMessageSchema)` to create a new message.
  */
 export const ServerMessageSchema: GenMessage<ServerMessage> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 20);
+  messageDesc(file_jostle_v1_play, 32);
 
 /**
  * State of the entities of one interest cell, encoded like a frame (WIRE.md, "Cells").
@@ -956,7 +1304,7 @@ export type CellUpdate = Message<"jostle.v1.CellUpdate"> & {
  * Use `create(CellUpdateSchema)` to create a new message.
  */
 export const CellUpdateSchema: GenMessage<CellUpdate> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 21);
+  messageDesc(file_jostle_v1_play, 33);
 
 /**
  * Accepts a Hello. The first message of a stream.
@@ -1117,7 +1465,7 @@ export type Welcome = Message<"jostle.v1.Welcome"> & {
  * Use `create(WelcomeSchema)` to create a new message.
  */
 export const WelcomeSchema: GenMessage<Welcome> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 22);
+  messageDesc(file_jostle_v1_play, 34);
 
 /**
  * Credentials for datagrams in addition to this stream (WIRE.md, "Datagrams"). Valid as long as the stream.
@@ -1152,7 +1500,7 @@ export type DatagramCredentials = Message<"jostle.v1.DatagramCredentials"> & {
  * Use `create(DatagramCredentialsSchema)` to create a new message.
  */
 export const DatagramCredentialsSchema: GenMessage<DatagramCredentials> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 23);
+  messageDesc(file_jostle_v1_play, 35);
 
 /**
  * A kind of channel: state that a module publishes for an entity or for itself, as a list of integers (WIRE.md,
@@ -1186,7 +1534,7 @@ export type ChannelKind = Message<"jostle.v1.ChannelKind"> & {
  * Use `create(ChannelKindSchema)` to create a new message.
  */
 export const ChannelKindSchema: GenMessage<ChannelKind> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 24);
+  messageDesc(file_jostle_v1_play, 36);
 
 /**
  * The constant properties of a point object: a rope, a cloth, a group of particles. It precedes the first PointUpdate
@@ -1304,7 +1652,7 @@ export type PointObject = Message<"jostle.v1.PointObject"> & {
  * Use `create(PointObjectSchema)` to create a new message.
  */
 export const PointObjectSchema: GenMessage<PointObject> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 25);
+  messageDesc(file_jostle_v1_play, 37);
 
 /**
  * A state of a point object (WIRE.md, "Points").
@@ -1357,7 +1705,7 @@ export type PointUpdate = Message<"jostle.v1.PointUpdate"> & {
  * Use `create(PointUpdateSchema)` to create a new message.
  */
 export const PointUpdateSchema: GenMessage<PointUpdate> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 26);
+  messageDesc(file_jostle_v1_play, 38);
 
 /**
  * Quantization of poses; WIRE.md has the formulas.
@@ -1385,7 +1733,7 @@ export type QuantSpec = Message<"jostle.v1.QuantSpec"> & {
  * Use `create(QuantSpecSchema)` to create a new message.
  */
 export const QuantSpecSchema: GenMessage<QuantSpec> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 27);
+  messageDesc(file_jostle_v1_play, 39);
 
 /**
  * A chunk of a shape of more than 1 kB, sent once for all bodies that use it: a serialized Shape with only its kind
@@ -1427,7 +1775,7 @@ export type GeometryChunk = Message<"jostle.v1.GeometryChunk"> & {
  * Use `create(GeometryChunkSchema)` to create a new message.
  */
 export const GeometryChunkSchema: GenMessage<GeometryChunk> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 28);
+  messageDesc(file_jostle_v1_play, 40);
 
 /**
  * Changes in the list of entities since the last EntityUpdate to this client. The first ones list all entities. A large
@@ -1467,7 +1815,7 @@ export type EntityUpdate = Message<"jostle.v1.EntityUpdate"> & {
  * Use `create(EntityUpdateSchema)` to create a new message.
  */
 export const EntityUpdateSchema: GenMessage<EntityUpdate> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 29);
+  messageDesc(file_jostle_v1_play, 41);
 
 /**
  * @generated from message jostle.v1.Entity
@@ -1564,7 +1912,7 @@ export type Entity = Message<"jostle.v1.Entity"> & {
  * Use `create(EntitySchema)` to create a new message.
  */
 export const EntitySchema: GenMessage<Entity> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 30);
+  messageDesc(file_jostle_v1_play, 42);
 
 /**
  * Everything that the server sends to a client for one tick.
@@ -1695,7 +2043,7 @@ export type Snapshot = Message<"jostle.v1.Snapshot"> & {
  * Use `create(SnapshotSchema)` to create a new message.
  */
 export const SnapshotSchema: GenMessage<Snapshot> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 31);
+  messageDesc(file_jostle_v1_play, 43);
 
 /**
  * The part of a snapshot that concerns only the receiving client.
@@ -1752,7 +2100,7 @@ export type ClientUpdate = Message<"jostle.v1.ClientUpdate"> & {
  * Use `create(ClientUpdateSchema)` to create a new message.
  */
 export const ClientUpdateSchema: GenMessage<ClientUpdate> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 32);
+  messageDesc(file_jostle_v1_play, 44);
 
 /**
  * State of the entity that this client controls, for prediction. Sent at most 16 times per second to clients that
@@ -1815,7 +2163,7 @@ export type ControlledEntityState = Message<"jostle.v1.ControlledEntityState"> &
  * Use `create(ControlledEntityStateSchema)` to create a new message.
  */
 export const ControlledEntityStateSchema: GenMessage<ControlledEntityState> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 33);
+  messageDesc(file_jostle_v1_play, 45);
 
 /**
  * @generated from message jostle.v1.InputResult
@@ -1872,7 +2220,7 @@ export type InputResult = Message<"jostle.v1.InputResult"> & {
  * Use `create(InputResultSchema)` to create a new message.
  */
 export const InputResultSchema: GenMessage<InputResult> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 34);
+  messageDesc(file_jostle_v1_play, 46);
 
 /**
  * Answers a Ping.
@@ -1900,7 +2248,7 @@ export type Pong = Message<"jostle.v1.Pong"> & {
  * Use `create(PongSchema)` to create a new message.
  */
 export const PongSchema: GenMessage<Pong> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 35);
+  messageDesc(file_jostle_v1_play, 47);
 
 /**
  * Statistics of a world, sent twice per second by default (stream.stats_per_second in the server's settings).
@@ -1983,7 +2331,7 @@ export type WorldStats = Message<"jostle.v1.WorldStats"> & {
  * Use `create(WorldStatsSchema)` to create a new message.
  */
 export const WorldStatsSchema: GenMessage<WorldStats> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 36);
+  messageDesc(file_jostle_v1_play, 48);
 
 /**
  * @generated from message jostle.v1.Notice
@@ -2005,7 +2353,7 @@ export type Notice = Message<"jostle.v1.Notice"> & {
  * Use `create(NoticeSchema)` to create a new message.
  */
 export const NoticeSchema: GenMessage<Notice> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 37);
+  messageDesc(file_jostle_v1_play, 49);
 
 /**
  * Events of one tick, sorted by entity. Sent only to subscribers (Hello.events), for ticks with events. A client that
@@ -2090,7 +2438,7 @@ export type Events = Message<"jostle.v1.Events"> & {
  * Use `create(EventsSchema)` to create a new message.
  */
 export const EventsSchema: GenMessage<Events> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 38);
+  messageDesc(file_jostle_v1_play, 50);
 
 /**
  * @generated from message jostle.v1.ContactEvent
@@ -2140,7 +2488,7 @@ export type ContactEvent = Message<"jostle.v1.ContactEvent"> & {
  * Use `create(ContactEventSchema)` to create a new message.
  */
 export const ContactEventSchema: GenMessage<ContactEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 39);
+  messageDesc(file_jostle_v1_play, 51);
 
 /**
  * @generated from message jostle.v1.TriggerEvent
@@ -2164,7 +2512,7 @@ export type TriggerEvent = Message<"jostle.v1.TriggerEvent"> & {
  * Use `create(TriggerEventSchema)` to create a new message.
  */
 export const TriggerEventSchema: GenMessage<TriggerEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 40);
+  messageDesc(file_jostle_v1_play, 52);
 
 /**
  * @generated from message jostle.v1.JointBreakEvent
@@ -2200,7 +2548,47 @@ export type JointBreakEvent = Message<"jostle.v1.JointBreakEvent"> & {
  * Use `create(JointBreakEventSchema)` to create a new message.
  */
 export const JointBreakEventSchema: GenMessage<JointBreakEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 41);
+  messageDesc(file_jostle_v1_play, 53);
+
+/**
+ * The role of a client in one world. Each role has the permissions of those before it.
+ *
+ * @generated from enum jostle.v1.PlayerRole
+ */
+export enum PlayerRole {
+  /**
+   * @generated from enum value: PLAYER_ROLE_UNSPECIFIED = 0;
+   */
+  UNSPECIFIED = 0,
+
+  /**
+   * sends no inputs to the simulation
+   *
+   * @generated from enum value: PLAYER_ROLE_SPECTATOR = 1;
+   */
+  SPECTATOR = 1,
+
+  /**
+   * @generated from enum value: PLAYER_ROLE_PLAYER = 2;
+   */
+  PLAYER = 2,
+
+  /**
+   * @generated from enum value: PLAYER_ROLE_BUILDER = 3;
+   */
+  BUILDER = 3,
+
+  /**
+   * @generated from enum value: PLAYER_ROLE_OWNER = 4;
+   */
+  OWNER = 4,
+}
+
+/**
+ * Describes the enum jostle.v1.PlayerRole.
+ */
+export const PlayerRoleSchema: GenEnum<PlayerRole> = /*@__PURE__*/
+  enumDesc(file_jostle_v1_play, 0);
 
 /**
  * Layout of the integers, for viewers that do not know the module.
@@ -2239,7 +2627,7 @@ export enum ChannelForm {
  * Describes the enum jostle.v1.ChannelForm.
  */
 export const ChannelFormSchema: GenEnum<ChannelForm> = /*@__PURE__*/
-  enumDesc(file_jostle_v1_play, 0);
+  enumDesc(file_jostle_v1_play, 1);
 
 /**
  * Connections of the points of a point object.
@@ -2292,7 +2680,7 @@ export enum PointForm {
  * Describes the enum jostle.v1.PointForm.
  */
 export const PointFormSchema: GenEnum<PointForm> = /*@__PURE__*/
-  enumDesc(file_jostle_v1_play, 1);
+  enumDesc(file_jostle_v1_play, 2);
 
 /**
  * @generated from enum jostle.v1.InputCode
@@ -2323,14 +2711,15 @@ export enum InputCode {
   NOT_FOUND = 3,
 
   /**
-   * another client owns the entity, it is not dynamic, or the client is a spectator
+   * Another client owns the entity, it is not dynamic, the client is a spectator, or the permissions of the room forbid
+   * it.
    *
    * @generated from enum value: INPUT_CODE_NOT_ALLOWED = 4;
    */
   NOT_ALLOWED = 4,
 
   /**
-   * too many bodies, inputs per second, or inputs waiting for the world
+   * Too many bodies, inputs per second or inputs waiting for the world, or a quota of the room.
    *
    * @generated from enum value: INPUT_CODE_LIMIT = 5;
    */
@@ -2348,7 +2737,7 @@ export enum InputCode {
  * Describes the enum jostle.v1.InputCode.
  */
 export const InputCodeSchema: GenEnum<InputCode> = /*@__PURE__*/
-  enumDesc(file_jostle_v1_play, 2);
+  enumDesc(file_jostle_v1_play, 3);
 
 /**
  * @generated from enum jostle.v1.NoticeCode
@@ -2400,7 +2789,7 @@ export enum NoticeCode {
  * Describes the enum jostle.v1.NoticeCode.
  */
 export const NoticeCodeSchema: GenEnum<NoticeCode> = /*@__PURE__*/
-  enumDesc(file_jostle_v1_play, 3);
+  enumDesc(file_jostle_v1_play, 4);
 
 /**
  * @generated from service jostle.v1.PlayService

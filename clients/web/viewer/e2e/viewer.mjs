@@ -14,6 +14,7 @@ import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import { testControl } from './control.mjs';
 import { testDeformables } from './deformables.mjs';
+import { testMonitor } from './monitor.mjs';
 import { testPrediction } from './prediction.mjs';
 import { testRecording } from './recording.mjs';
 import { testResume } from './resume.mjs';
@@ -235,6 +236,7 @@ try {
   const harbour = await post('/api/worlds', { name: 'harbour', sceneName: 'harbour' });
   expect(harbour.ok, `the harbour is created: ${harbour.status}`);
   await testControl({ page, url: `http://127.0.0.1:${ports.http}`, until, expect, takeScreenshot: screenshot && takeScreenshot });
+  await testMonitor({ browser, page, url: `http://127.0.0.1:${ports.http}`, until, expect, takeScreenshot: screenshot?.replace(/(\.\w+)?$/, '-monitor$1') });
 
   expect((await page.evaluate(() => window.jostle.decodeErrors)) === 0, 'every snapshot is decoded with a matching CRC');
   expect(errors.length === 0, `the page has no errors ${errors.join('; ')}`);

@@ -95,6 +95,7 @@ Result<Content> read(std::string_view bytes) {
                          "; this server reads version " + std::to_string(portable_version)};
     Content content;
     visit(reader, content);
+    // Absent from the first forms of this version.
     if (reader.from.ok() && !reader.from.at_end()) reader(content.room);
     if (!reader.from.ok()) return not_portable("unexpected end of data");
     if (!(content.work_per_second >= 0 && std::isfinite(content.work_per_second)))
@@ -215,7 +216,7 @@ PortableForm encode_portable(HostedWorld& world, std::uint32_t tick,
     Writer writer;
     writer.to.number(portable_version);
     visit(writer, std::as_const(content));
-    if (host_state.room) writer(encode_room(*host_state.room));
+    writer(host_state.room ? encode_room(*host_state.room) : std::string());
     const std::string bytes = writer.to.take();
     return {compress(bytes), std::move(content.omitted)};
 }

@@ -73,8 +73,8 @@ TEST_F(HttpRoutesTest, joins_lists_and_creates_rooms) {
         const HttpResponse listed = send("GET", "/api/worlds" + query);
         EXPECT_EQ(listed.status, 200) << listed.body;
         std::vector<std::string> ids;
-        for (const auto& one : nlohmann::json::parse(listed.body).at("worlds"))
-            ids.push_back(one.at("id"));
+        const auto json = nlohmann::json::parse(listed.body);
+        for (const auto& one : json.at("worlds")) ids.push_back(one.at("id"));
         return ids;
     };
     EXPECT_EQ(names("?tags=race&not_full=1"), (std::vector<std::string>{world.at("id")}));

@@ -17,8 +17,8 @@ namespace {
 
 using test::error_of;
 
-const Identity ada{.subject = "ada", .role = Role::director, .anonymous = false};
-const Identity bob{.subject = "bob", .role = Role::viewer, .anonymous = false};
+const Identity director{.subject = "ada", .role = Role::director, .anonymous = false};
+const Identity viewer{.subject = "bob", .role = Role::viewer, .anonymous = false};
 
 class WorldListTest : public testing::Test, protected ServerParts {
 protected:
@@ -27,7 +27,7 @@ protected:
         ASSERT_TRUE(
             worlds.create(name, *scenes::find_scene("stack"), "ada", std::move(properties)).ok());
     }
-    std::string list(const v1::ListWorldsRequest& request, const Identity& who = bob) {
+    std::string list(const v1::ListWorldsRequest& request, const Identity& who = viewer) {
         v1::ListWorldsResponse response;
         EXPECT_TRUE(control.list(request, response, who).ok());
         std::string names;
@@ -57,7 +57,7 @@ TEST_F(WorldListTest, filters_match_all_of_their_fields) {
     room("boats", {.tags = {"race"}, .join_code = "sesame"});
     room("hidden", {.unlisted = true});
     EXPECT_EQ(list({}), "plain cars boats ");
-    EXPECT_EQ(list({}, ada), "plain cars boats hidden ") << "the owner";
+    EXPECT_EQ(list({}, director), "plain cars boats hidden ") << "the owner";
     EXPECT_EQ(filtered([](auto& f) { f.add_tags("race"); }), "cars boats ");
     EXPECT_EQ(filtered([](auto& f) { f.add_tags("race"), f.add_tags("cars"); }), "cars ");
     EXPECT_EQ(filtered([](auto& f) { f.set_text("night r"); }), "cars ");
@@ -71,7 +71,7 @@ TEST_F(WorldListTest, filters_match_all_of_their_fields) {
     EXPECT_EQ(list(limited), "plain cars ");
     limited.mutable_filter()->set_text(std::string(65, 'x'));
     v1::ListWorldsResponse response;
-    EXPECT_EQ(error_of(control.list(limited, response, bob)).message,
+    EXPECT_EQ(error_of(control.list(limited, response, viewer)).message,
               "filter.text has 65 bytes; at most 64 are allowed");
 }
 
@@ -93,14 +93,14 @@ TEST_F(WorldListTest, description_has_live_counts_and_no_join_code) {
 
 TEST_F(WorldListTest, every_template_creates_a_room) {
     v1::ListWorldsResponse listed;
-    ASSERT_TRUE(control.list({}, listed, ada).ok());
+    ASSERT_TRUE(control.list({}, listed, director).ok());
     ASSERT_EQ(listed.templates_size(), 4);
     for (const v1::RoomTemplate& one : listed.templates()) {
         v1::CreateWorldRequest request;
         request.set_room_template(one.name());
         request.mutable_room()->set_capacity(3);
         v1::CreateWorldResponse response;
-        ASSERT_TRUE(control.create(request, response, ada, "").ok()) << one.name();
+        ASSERT_TRUE(control.create(request, response, director, "").ok()) << one.name();
         EXPECT_EQ(response.world().scene(), one.scene());
         EXPECT_EQ(response.world().room().title(), one.room().title());
         EXPECT_EQ(response.world().room().capacity(), 3u) << "replaces that of the template";
@@ -108,18 +108,18 @@ TEST_F(WorldListTest, every_template_creates_a_room) {
     v1::CreateWorldRequest unknown;
     unknown.set_room_template("castle");
     v1::CreateWorldResponse response;
-    EXPECT_EQ(error_of(control.create(unknown, response, ada, "")).code, ErrorCode::not_found);
+    EXPECT_EQ(error_of(control.create(unknown, response, director, "")).code, ErrorCode::not_found);
 }
 
 TEST_F(WorldListTest, second_caller_joins_the_room_that_the_first_one_created) {
     v1::JoinOrCreateWorldRequest request;
     request.mutable_filter()->add_tags("race");
-    EXPECT_EQ(error_of(join_or_create(request, ada)).code, ErrorCode::not_found);
+    EXPECT_EQ(error_of(join_or_create(request, director)).code, ErrorCode::not_found);
     request.mutable_create()->set_scene_name("stack");
     request.mutable_create()->mutable_room()->add_tags("race");
-    EXPECT_EQ(error_of(join_or_create(request, bob)).code, ErrorCode::permission_denied)
+    EXPECT_EQ(error_of(join_or_create(request, viewer)).code, ErrorCode::permission_denied)
         << "a viewer creates no worlds";
-    const auto first = join_or_create(request, ada), second = join_or_create(request, bob);
+    const auto first = join_or_create(request, director), second = join_or_create(request, viewer);
     ASSERT_TRUE(first.ok() && second.ok());
     EXPECT_TRUE(first->created());
     EXPECT_FALSE(second->created());
@@ -133,16 +133,17 @@ TEST_F(WorldListTest, join_or_create_skips_full_and_private_rooms) {
     ASSERT_TRUE(sessions.enter(worlds.find("full")->id(), "network").ok());
     v1::JoinOrCreateWorldRequest request;
     request.mutable_filter()->add_tags("race");
-    EXPECT_EQ(error_of(join_or_create(request, bob)).code, ErrorCode::not_found);
+    EXPECT_EQ(error_of(join_or_create(request, viewer)).code, ErrorCode::not_found);
     request.set_join_code("sesame");
-    const auto joined = join_or_create(request, bob);
+    const auto joined = join_or_create(request, viewer);
     ASSERT_TRUE(joined.ok());
     EXPECT_EQ(joined->join().world().name(), "private");
     v1::JoinWorldRequest wrong;
     wrong.set_world("private");
     wrong.set_join_code("open");
     v1::JoinWorldResponse response;
-    EXPECT_EQ(error_of(control.join(wrong, response, bob, "")).code, ErrorCode::permission_denied);
+    EXPECT_EQ(error_of(control.join(wrong, response, viewer, "")).code,
+              ErrorCode::permission_denied);
 }
 
 }  // namespace

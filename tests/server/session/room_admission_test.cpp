@@ -15,10 +15,10 @@ using namespace std::chrono_literals;
 using test::error_of;
 using test::SessionHarness;
 
-const Identity ada{.subject = "ada", .role = Role::director, .anonymous = false};
-const Identity bob{.subject = "bob", .role = Role::player, .anonymous = false};
-const Identity guest{.role = Role::player};
-constexpr const char* address = "192.0.2.7";
+const Identity owner_of_room{.subject = "ada", .role = Role::director, .anonymous = false};
+const Identity player_of_room{.subject = "bob", .role = Role::player, .anonymous = false};
+const Identity anonymous_guest{.role = Role::player};
+constexpr const char* guest_address = "192.0.2.7";
 
 class RoomAdmissionTest : public testing::Test {
 protected:
@@ -40,14 +40,14 @@ protected:
 TEST_F(RoomAdmissionTest, private_room_requires_its_join_code) {
     const auto world = room({.join_code = "sesame"});
     const auto access = [&](const Identity& who, const char* code, bool has_ticket = false) {
-        return check_room_access(*world, who, address, code, has_ticket);
+        return check_room_access(*world, who, guest_address, code, has_ticket);
     };
-    EXPECT_EQ(error_of(access(bob, "")).message,
+    EXPECT_EQ(error_of(access(player_of_room, "")).message,
               "join_code: the room \"room\" is private, and the join code is missing");
-    EXPECT_EQ(error_of(access(bob, "open")).code, ErrorCode::permission_denied);
-    EXPECT_TRUE(access(bob, "sesame").ok());
-    EXPECT_TRUE(access(bob, "", true).ok());
-    EXPECT_TRUE(access(ada, "").ok()) << "the owner";
+    EXPECT_EQ(error_of(access(player_of_room, "open")).code, ErrorCode::permission_denied);
+    EXPECT_TRUE(access(player_of_room, "sesame").ok());
+    EXPECT_TRUE(access(player_of_room, "", true).ok());
+    EXPECT_TRUE(access(owner_of_room, "").ok()) << "the owner";
     EXPECT_TRUE(access({.subject = "op", .role = Role::admin, .anonymous = false}, "").ok());
     EXPECT_FALSE(access({.role = Role::admin}, "").ok()) << "of a server without keys";
 }
@@ -73,7 +73,8 @@ TEST_F(RoomAdmissionTest, full_room_refuses_further_clients) {
     EXPECT_FALSE(first.session->end());
     ASSERT_TRUE(second.session->end());
     EXPECT_EQ(second.session->end()->error().message, "the room \"room\" is full: 1 clients");
-    EXPECT_TRUE(check_room_capacity(*world, server.sessions, ada, address).ok()) << "the owner";
+    EXPECT_TRUE(check_room_capacity(*world, server.sessions, owner_of_room, guest_address).ok())
+        << "the owner";
     EXPECT_EQ(error_of(server.sessions.enter(world->id(), "elsewhere", {}, 1)).code,
               ErrorCode::resource_exhausted);
 }
@@ -81,12 +82,13 @@ TEST_F(RoomAdmissionTest, full_room_refuses_further_clients) {
 TEST_F(RoomAdmissionTest, ban_ends_the_session_and_refuses_the_next_one) {
     const auto world = room({});
     world->mailbox().enter(1, {.member = "subject/ada"});
-    world->mailbox().enter(2, {.member = member_of(guest, address)});
+    world->mailbox().enter(2, {.member = member_of(anonymous_guest, guest_address)});
     world->tick(server.now);
     command(*world, {BanClient{2, 60, "spamming"}});
-    EXPECT_EQ(error_of(check_room_access(*world, guest, address, {}, false)).message,
-              "the room \"room\" has banned the caller: spamming");
-    EXPECT_TRUE(check_room_access(*world, guest, "192.0.2.8", {}, false).ok());
+    EXPECT_EQ(
+        error_of(check_room_access(*world, anonymous_guest, guest_address, {}, false)).message,
+        "the room \"room\" has banned the caller: spamming");
+    EXPECT_TRUE(check_room_access(*world, anonymous_guest, "192.0.2.8", {}, false).ok());
 }
 
 TEST_F(RoomAdmissionTest, kicked_client_receives_the_reason) {

@@ -385,7 +385,7 @@ TEST_F(CtlTest, exits_with_2_and_an_error_message_on_invalid_flags) {
     EXPECT_EQ(run("kick"), 2);
     EXPECT_EQ(run("kick ann"), 2);
     EXPECT_EQ(run("world create arena"), 2);
-    EXPECT_TRUE(complains("--scene NAME, --file FILE, or --from WORLD --at TICK")) << err;
+    EXPECT_TRUE(complains("--scene NAME, --template NAME, --file FILE, or --from WORLD --at TICK")) << err;
     EXPECT_EQ(run("profile stack x --seconds 31"), 2);
     EXPECT_EQ(run("--cert a.pem worlds"), 2);
     EXPECT_TRUE(complains("--cert and --key must be given together")) << err;

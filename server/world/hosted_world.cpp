@@ -2,6 +2,7 @@
 #include "server/world/hosted_world.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -222,7 +223,20 @@ QueryFramePtr HostedWorld::query_frame(std::uint32_t tick, CopyLayers layers) {
     frame->entity_list = state_.entities.list();
     frame->shape_owners = state_.entities.shape_owners();
     copy_layers(*frame, state_.world, state_.entities.by_body());
+    // Points are published in steps.
+    if (!channels_.publishes_points()) frame->layers &= ~copy_points;
+    if (frame->layers & copy_points) copy_points_into(*frame);
     return frame;
+}
+
+void HostedWorld::copy_points_into(QueryFrame& frame) const {
+    frame.points = channels_.points();
+    std::set<EntityId> carriers;
+    for (const auto& state : *frame.points) carriers.insert(state->object->entity);
+    for (const EntityId id : carriers)
+        if (const Entity* const entity = state_.entities.find(id); entity != nullptr)
+            if (const auto body = state_.world.body(entity->body); body.ok())
+                frame.carriers.push_back({id, body->awake, body->pose});
 }
 
 // A body that neither is awake nor was awake in the last frame has not moved, unless the static

@@ -105,6 +105,7 @@ public:
     double work_per_second() const { return work_per_second_; }
 
 private:
+    void copy_points_into(QueryFrame& frame) const;
     HostedWorld(HostedState state, double hz)
         : state_(std::move(state)),
           hz_(hz),

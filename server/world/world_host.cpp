@@ -326,7 +326,7 @@ void WorldHost::put_result(const Command& command, InputResult result, Clock::ti
 bool WorldHost::step(bool allowed) {
     const FrameListeners& listeners = publisher_.listeners();
     world_.publish_motion(listeners.motion.load() > 0);
-    world_.publish_points(listeners.points.load() > 0);
+    world_.publish_points(listeners.points.load() > 0 || queries_.is_requested(copy_points));
     world_.publish_controlled_entities(listeners.controlled_entities.load() > 0);
     world_.resume_stepping();
     // interrupt_overloaded() pauses before it stops the step, so resuming here just after it still

@@ -486,9 +486,9 @@ export type Aim = Message<"jostle.v1.Aim"> & {
 
   /**
    * Lag compensation: the view time at which the client rendered the world. The server casts the ray against the
-   * poses of that time with the current shapes, and against the current ropes and cloths. Entities that spawned later
-   * or are gone cannot be hit. The input then acts on the hit entity at its current pose, at the same point of the
-   * body. A view time older than the stored frames (tick.lag_compensation_ms_max in the server's settings) is clamped
+   * poses of that time with the current shapes, and against the ropes and cloths of that time (the current ones if no
+   * client subscribes to their channels). Entities that spawned later or are gone cannot be hit. The input then acts on
+   * the hit entity at its current pose, at the same point of the body. A view time older than the stored frames (tick.lag_compensation_ms_max in the server's settings) is clamped
    * to the oldest frame, and the result has `view_time_clamped`.
    *
    * absent: the world as it is when the input is applied
@@ -1174,7 +1174,7 @@ export type ChannelKind = Message<"jostle.v1.ChannelKind"> & {
   form: ChannelForm;
 
   /**
-   * published every divisor-th tick; constant in between
+   * published every divisor-th tick; constant in between, except for the first points of a kind
    *
    * @generated from field: uint32 divisor = 3;
    */

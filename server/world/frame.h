@@ -14,11 +14,14 @@
 
 #include "jostle/physics/world.h"
 #include "server/util/clock.h"
+#include "server/world/attributes.h"
 #include "server/world/command.h"
 #include "server/world/module_channels.h"
+#include "server/world/players.h"
 #include "server/world/pose_grid.h"
 #include "server/world/pose_list.h"
 #include "server/world/tick_events.h"
+#include "server/world/user_messages.h"
 
 namespace jostle::server {
 
@@ -72,6 +75,11 @@ struct Frame {
     std::shared_ptr<const PointObjects> points;
     // Of this tick, while a client predicts; null: no entity is controlled.
     std::shared_ptr<const std::vector<ControlledEntityState>> controlled_entities;
+    // Never null in the frames of a hosted world. Equal pointers mean equal content.
+    PlayerListPtr players;
+    AttributeTablePtr attributes;
+    RecentMessagesPtr messages;
+    bool has_new_data = false;  // one of the three differs from that of the previous frame
     int awake = 0, contacts = 0;
     double step_ms = 0;                        // of this tick, solver only
     double tick_ms_mean = 0, tick_ms_max = 0;  // of whole ticks, over the last second

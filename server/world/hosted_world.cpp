@@ -58,6 +58,20 @@ Result<HostedWorld> HostedWorld::restore(World world, const SavedHostState& host
     state.ownership.restore(host_state);
     state.grabs.restore(host_state);
     state.controllers.restore(host_state);
+    state.players.restore(host_state);
+    for (const SavedHostState::SavedAttribute& saved : host_state.attributes) {
+        const auto& [kind, id] = saved.target;
+        const bool exists = kind == AttributeTargetKind::entity ? state.entities.find(id) != nullptr
+                            : kind == AttributeTargetKind::player
+                                ? state.players.find(id) != nullptr
+                                : id == 0;
+        if (!exists)
+            return Error{ErrorCode::corrupt_data, "corrupt host state: attribute \"" + saved.key +
+                                                      "\" of " + describe(saved.target) +
+                                                      ", which does not exist"};
+    }
+    if (Status s = state.attributes.restore(host_state); !s.ok()) return s.error();
+    state.messages.set_count(host_state.messages);
     for (const SavedHostState::ProcessedInput& input : host_state.processed)
         hosted.last_sequences_[input.client] = input.sequence;
     hosted.quarantined_.insert(host_state.quarantined.begin(), host_state.quarantined.end());
@@ -79,6 +93,9 @@ SavedHostState HostedWorld::host_state(std::uint32_t tick) const {
     state_.ownership.write(host_state);
     state_.grabs.write(host_state);
     state_.controllers.write(host_state);
+    state_.players.write(host_state);
+    state_.attributes.write(host_state);
+    host_state.messages = state_.messages.count();
     for (const auto& [client, sequence] : last_sequences_)
         host_state.processed.push_back({client, sequence});
     return host_state;
@@ -87,6 +104,15 @@ SavedHostState HostedWorld::host_state(std::uint32_t tick) const {
 void HostedWorld::continue_from(const HostedWorld& later) {
     last_sequences_ = later.last_sequences_;
     state_.entities.skip_ids_of(later.state_.entities);
+    state_.messages.set_count(std::max(state_.messages.count(), later.state_.messages.count()));
+}
+
+std::uint64_t HostedWorld::data_hash() const {
+    SavedHostState data;
+    state_.players.write(data);
+    state_.attributes.write(data);
+    data.messages = state_.messages.count();
+    return server::data_hash(data);
 }
 
 void HostedWorld::release_all_clients() {
@@ -120,9 +146,8 @@ Status HostedWorld::accept_sequence(ClientId client, std::uint32_t sequence) {
 InputResult HostedWorld::apply(const Command& command, std::uint32_t tick) {
     InputResult result{.sequence = command.sequence, .tick = tick};
     const bool is_leave = std::holds_alternative<LeaveCommand>(command.action);
-    const bool has_sequence =
-        !is_leave && !std::holds_alternative<DisconnectCommand>(command.action);
-    if (has_sequence) result.status = accept_sequence(command.client, command.sequence);
+    if (!is_session_command(command.action))
+        result.status = accept_sequence(command.client, command.sequence);
     if (result.status.ok()) result.status = apply_and_record(command, result);
     if (is_leave) last_sequences_.erase(command.client);
     return result;
@@ -152,6 +177,11 @@ Status HostedWorld::apply_and_record(const Command& command, InputResult& result
         journal_.push_back({command.client, command.sequence,
                             status.ok() ? std::optional(*action) : std::nullopt});
     return status.ok() ? apply_action(state_, command.client, *action, result.entity) : status;
+}
+
+Status HostedWorld::apply_as_server(const Action& action) {
+    InputResult result;
+    return apply_and_record({.client = scene_client, .action = action, .reply = {}}, result);
 }
 
 void HostedWorld::remove_entities(std::span<const EntityId> entities) {
@@ -267,6 +297,18 @@ void HostedWorld::copy_poses(bool all) {
         poses_.set(index_of_body_[body.id.index], body.pose, body.awake);
 }
 
+void HostedWorld::copy_data_into(Frame& frame) {
+    frame.players = state_.players.publish(frame.tick);
+    frame.attributes = state_.attributes.publish(frame.tick);
+    frame.messages = state_.messages.publish(frame.tick);
+    frame.has_new_data = frame.players != published_players_ ||
+                         frame.attributes != published_attributes_ ||
+                         frame.messages != published_messages_;
+    published_players_ = frame.players;
+    published_attributes_ = frame.attributes;
+    published_messages_ = frame.messages;
+}
+
 void HostedWorld::copy_into(Frame& frame) {
     const World& world = state_.world;
     const bool list_changed = entity_list_ != state_.entities.list();
@@ -286,6 +328,7 @@ void HostedWorld::copy_into(Frame& frame) {
     frame.entity_list = entity_list_ = state_.entities.list();
     ASSERT(frame.entities.size() == frame.entity_list->size());
     frame.previous_changed_at = changed_at_;
+    copy_data_into(frame);
     if (moved || list_changed || published_channels_ != channels_.channels() ||
         published_points_ != channels_.points())
         changed_at_ = frame.tick;

@@ -3,7 +3,9 @@
 
 #include <google/protobuf/util/json_util.h>
 
+#include "jostle/base/format_text.h"
 #include "tools/common/table.h"
+#include "tools/ctl/attribute_arguments.h"
 
 namespace jostle::ctl {
 
@@ -51,6 +53,36 @@ std::string clients_text(const v1::ListClientsResponse& clients) {
                    number_text(client.kbit_per_second(), 1),
                    std::to_string(client.snapshots_skipped()),
                    client.round_trip_ms() > 0 ? number_text(client.round_trip_ms(), 1) : "-"});
+    return table.text();
+}
+
+std::string players_text(const v1::ListPlayersResponse& players) {
+    if (players.players().empty()) return "The world has no players.\n";
+    Table table({{"ID", Align::right},
+                 {"NAME"},
+                 {"ROLE"},
+                 {"COLOR"},
+                 {"SINCE TICK", Align::right},
+                 {"PING MS", Align::right},
+                 {"STATE"}});
+    for (const v1::Player& player : players.players())
+        table.add({std::to_string(player.client()), sanitized(player.name()),
+                   role_text(player.role()),
+                   player.has_color() ? format_text("%06x", player.color()) : "-",
+                   std::to_string(player.joined_tick()),
+                   player.ping_ms() > 0 ? std::to_string(player.ping_ms()) : "-",
+                   player.disconnected() ? "disconnected" : "connected"});
+    return table.text();
+}
+
+std::string attributes_text(const v1::GetAttributesResponse& attributes) {
+    if (attributes.sets().empty()) return "There are no attributes.\n";
+    Table table({{"TARGET"}, {"KEY"}, {"VALUE"}, {"VISIBLE TO"}, {"SET BY"}});
+    for (const v1::AttributeSet& set : attributes.sets())
+        for (const v1::Attribute& attribute : set.attributes())
+            table.add({target_text(set), sanitized(attribute.key()),
+                       sanitized(value_text(attribute), 80), visibility_text(attribute),
+                       attribute.read_only() ? "server" : "client"});
     return table.text();
 }
 

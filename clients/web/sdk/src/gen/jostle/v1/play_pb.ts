@@ -18,7 +18,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file jostle/v1/play.proto.
  */
 export const file_jostle_v1_play: GenFile = /*@__PURE__*/
-  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIvEBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAEicKCGludGVyZXN0GAYgASgLMhMuam9zdGxlLnYxLkludGVyZXN0SABCCQoHbWVzc2FnZSLyAgoFSGVsbG8SEAoIcHJvdG9jb2wYASABKA0SDQoFd29ybGQYAiABKAkSDgoGdGlja2V0GAMgASgJEgwKBG5hbWUYBCABKAkSEwoLc25hcHNob3RfaHoYBSABKA0SEQoJc3BlY3RhdG9yGAYgASgIEg4KBmV2ZW50cxgHIAEoCBINCgV0b2tlbhgIIAEoCRIQCghjaGFubmVscxgJIAMoCRINCgVjb2RlYxgKIAEoDRIQCghtYXhfa2JwcxgLIAEoDRIlCghpbnRlcmVzdBgOIAEoCzITLmpvc3RsZS52MS5JbnRlcmVzdBInCglwcmVjaXNpb24YDyABKAsyFC5qb3N0bGUudjEuUHJlY2lzaW9uEhcKD3BhY2tlZF9lbnRpdGllcxgQIAEoCBIRCglkYXRhZ3JhbXMYFCABKAgSEQoJcmVzdW1hYmxlGDwgASgIEiEKBnJlc3VtZRg9IAEoCzIRLmpvc3RsZS52MS5SZXN1bWUiJgoGUmVzdW1lEg0KBXRva2VuGAEgASgMEg0KBWZyYW1lGAIgASgNIjoKCEludGVyZXN0Eh4KBWZvY3VzGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBInsKCklucHV0QmF0Y2gSFgoOZmlyc3Rfc2VxdWVuY2UYASABKA0SIAoGaW5wdXRzGAIgAygLMhAuam9zdGxlLnYxLklucHV0EhsKA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2sSFgoOY2xpZW50X3RpbWVfdXMYBCABKAciuwMKBUlucHV0EiYKBXNwYXduGAEgASgLMhUuam9zdGxlLnYxLlNwYXduSW5wdXRIABIqCgdpbXB1bHNlGAIgASgLMhcuam9zdGxlLnYxLkltcHVsc2VJbnB1dEgAEiQKBGdyYWIYAyABKAsyFC5qb3N0bGUudjEuR3JhYklucHV0SAASJAoEZHJhZxgEIAEoCzIULmpvc3RsZS52MS5EcmFnSW5wdXRIABIqCgdyZWxlYXNlGAUgASgLMhcuam9zdGxlLnYxLlJlbGVhc2VJbnB1dEgAEigKBmRlbGV0ZRgGIAEoCzIWLmpvc3RsZS52MS5EZWxldGVJbnB1dEgAEioKB2V4cGxvZGUYByABKAsyFy5qb3N0bGUudjEuRXhwbG9kZUlucHV0SAASKgoHcG9zc2VzcxgIIAEoCzIXLmpvc3RsZS52MS5Qb3NzZXNzSW5wdXRIABIqCgdjb250cm9sGAkgASgLMhcuam9zdGxlLnYxLkNvbnRyb2xJbnB1dEgAEiIKA2N1dBgKIAEoCzITLmpvc3RsZS52MS5DdXRJbnB1dEgAEgwKBHRpY2sYDyABKA1CBgoEa2luZCLmAQoKU3Bhd25JbnB1dBIfCgVzaGFwZRgBIAEoCzIQLmpvc3RsZS52MS5TaGFwZRIhCghwb3NpdGlvbhgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAMgASgLMg8uam9zdGxlLnYxLlF1YXQSKAoPbGluZWFyX3ZlbG9jaXR5GAQgASgLMg8uam9zdGxlLnYxLlZlYzMSKQoQYW5ndWxhcl92ZWxvY2l0eRgFIAEoCzIPLmpvc3RsZS52MS5WZWMzEhIKBWNvbG9yGAYgASgHSACIAQFCCAoGX2NvbG9yIn8KA0FpbRIfCgZvcmlnaW4YASABKAsyDy5qb3N0bGUudjEuVmVjMxIfCgZtb3Rpb24YAiABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZpZ25vcmUYAyABKA0SJgoJdmlld190aW1lGAQgASgLMhMuam9zdGxlLnYxLlZpZXdUaW1lIo0BCgxJbXB1bHNlSW5wdXQSDgoGZW50aXR5GAEgASgNEiAKB2ltcHVsc2UYAiABKAsyDy5qb3N0bGUudjEuVmVjMxIeCgVwb2ludBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzEhsKA2FpbRgEIAEoCzIOLmpvc3RsZS52MS5BaW0SDgoGb2JqZWN0GAUgASgNImgKCUdyYWJJbnB1dBIOCgZlbnRpdHkYASABKA0SHgoFcG9pbnQYAiABKAsyDy5qb3N0bGUudjEuVmVjMxIbCgNhaW0YAyABKAsyDi5qb3N0bGUudjEuQWltEg4KBm9iamVjdBgEIAEoDSIsCglEcmFnSW5wdXQSHwoGdGFyZ2V0GAEgASgLMg8uam9zdGxlLnYxLlZlYzMiDgoMUmVsZWFzZUlucHV0Ih0KC0RlbGV0ZUlucHV0Eg4KBmVudGl0eRgBIAEoDSJrCgxFeHBsb2RlSW5wdXQSHwoGY2VudGVyGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBEg0KBXNwZWVkGAMgASgBEhsKA2FpbRgEIAEoCzIOLmpvc3RsZS52MS5BaW0iVwoIQ3V0SW5wdXQSDgoGb2JqZWN0GAEgASgNEh4KBXBvaW50GAIgASgLMg8uam9zdGxlLnYxLlZlYzMSGwoDYWltGAMgASgLMg4uam9zdGxlLnYxLkFpbSIeCgxQb3NzZXNzSW5wdXQSDgoGZW50aXR5GAEgASgNIi0KDENvbnRyb2xJbnB1dBIMCgRheGVzGAEgAygREg8KB2J1dHRvbnMYAiABKA0iUwoDQWNrEg0KBWZyYW1lGAEgASgNEhUKDW5lZWRfa2V5ZnJhbWUYAiABKAgSFAoMYWNrX2RlbGF5X21zGAMgASgNEhAKCGFja19iaXRzGAggASgHIh4KBFBpbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYiBwoFTGVhdmUiwAIKDVNlcnZlck1lc3NhZ2USJQoHd2VsY29tZRgBIAEoCzISLmpvc3RsZS52MS5XZWxjb21lSAASMAoNZW50aXR5X3VwZGF0ZRgCIAEoCzIXLmpvc3RsZS52MS5FbnRpdHlVcGRhdGVIABInCghzbmFwc2hvdBgDIAEoCzITLmpvc3RsZS52MS5TbmFwc2hvdEgAEh8KBHBvbmcYBSABKAsyDy5qb3N0bGUudjEuUG9uZ0gAEiMKBm5vdGljZRgHIAEoCzIRLmpvc3RsZS52MS5Ob3RpY2VIABIsCghnZW9tZXRyeRgJIAEoCzIYLmpvc3RsZS52MS5HZW9tZXRyeUNodW5rSABCCQoHbWVzc2FnZUoECAQQBUoECAYQB0oECAgQCVINaW5wdXRfcmVzdWx0c1IFc3RhdHNSBmV2ZW50cyJaCgpDZWxsVXBkYXRlEgwKBGNlbGwYASABKA0SDgoGbnVtYmVyGAIgASgNEhEKCWJhc2VsaW5lcxgDIAEoDRIOCgZwYWNrZWQYBCABKAwSCwoDY3JjGAUgASgHIr8ECgdXZWxjb21lEhEKCWNsaWVudF9pZBgBIAEoDRIQCgh3b3JsZF9pZBgCIAEoCRISCgp3b3JsZF9uYW1lGAMgASgJEgwKBHRpY2sYBCABKA0SDwoHdGlja19oehgFIAEoARITCgtzbmFwc2hvdF9oehgGIAEoDRIjCgVxdWFudBgIIAEoCzIULmpvc3RsZS52MS5RdWFudFNwZWMSFgoOc2VydmVyX3RpbWVfdXMYCSABKAYSIAoHZ3Jhdml0eRgKIAEoCzIPLmpvc3RsZS52MS5WZWMzEigKCGNoYW5uZWxzGAsgAygLMhYuam9zdGxlLnYxLkNoYW5uZWxLaW5kEg0KBWNvZGVjGAwgASgNEhcKD2Fja19pbnRlcnZhbF9tcxgNIAEoDRIQCghlcG9jaF91cxgOIAEoBhINCgVjZWxscxgPIAEoCBInCglwcmVjaXNpb24YEiABKAsyFC5qb3N0bGUudjEuUHJlY2lzaW9uEhAKCHN1YnN0ZXBzGBAgASgNEjEKCWRhdGFncmFtcxgUIAEoCzIeLmpvc3RsZS52MS5EYXRhZ3JhbUNyZWRlbnRpYWxzEhQKDHJlc3VtZV90b2tlbhg8IAEoDBIPCgdyZXN1bWVkGD0gASgIEhcKD3N0YXRlX3ByZXNlcnZlZBg+IAEoCBIVCg1sYXN0X3NlcXVlbmNlGD8gASgNEh4KFnJlc3VtZV90aW1lb3V0X3NlY29uZHMYQCABKAFKBAgHEAhSCmFja193aW5kb3ciPAoTRGF0YWdyYW1DcmVkZW50aWFscxIMCgRwb3J0GAEgASgNEgoKAmlkGAIgASgGEgsKA2tleRgDIAEoDCJSCgtDaGFubmVsS2luZBIMCgRuYW1lGAEgASgJEiQKBGZvcm0YAiABKA4yFi5qb3N0bGUudjEuQ2hhbm5lbEZvcm0SDwoHZGl2aXNvchgDIAEoDSKzAgoLUG9pbnRPYmplY3QSCgoCaWQYASABKA0SDAoEa2luZBgCIAEoDRILCgNrZXkYAyABKA0SDgoGZW50aXR5GAQgASgNEiIKBGZvcm0YBSABKA4yFC5qb3N0bGUudjEuUG9pbnRGb3JtEg8KB3N0ZXBfdW0YBiABKA0SDgoGcG9pbnRzGAcgASgNEg8KB2NvbHVtbnMYCCABKA0SDwoHc3RyYW5kcxgJIAMoDRIRCgl0cmlhbmdsZXMYCiADKBESDgoGcmFkaXVzGAsgASgCEhIKBWNvbG9yGAwgASgHSACIAQESHwoGb3JpZ2luGA0gASgLMg8uam9zdGxlLnYxLlZlYzMSEQoJc3BhY2luZ194GA4gASgCEhEKCXNwYWNpbmdfehgPIAEoAkIICgZfY29sb3IiZgoLUG9pbnRVcGRhdGUSDgoGb2JqZWN0GAEgASgNEg4KBm51bWJlchgCIAEoDRIMCgRiYWNrGAMgASgNEgwKBHRpY2sYBCABKA0SDgoGcGFja2VkGAUgASgMEgsKA2NyYxgGIAEoByJACglRdWFudFNwZWMSFwoPdW5pdHNfcGVyX21ldGVyGAEgASgNEhoKEnJvdGF0aW9uX2NvbXBvbmVudBgCIAEoDSJNCg1HZW9tZXRyeUNodW5rEgoKAmlkGAEgASgGEg0KBWNodW5rGAIgASgNEhMKC2NodW5rX2NvdW50GAMgASgNEgwKBGRhdGEYBCABKAwieAoMRW50aXR5VXBkYXRlEiAKBWFkZGVkGAEgAygLMhEuam9zdGxlLnYxLkVudGl0eRIPCgdyZW1vdmVkGAIgAygNEg4KBnBhY2tlZBgDIAEoDBIlCgpwcm90b3R5cGVzGAQgAygLMhEuam9zdGxlLnYxLkVudGl0eSLJAgoGRW50aXR5EgoKAmlkGAEgASgNEiEKBHR5cGUYAiABKA4yEy5qb3N0bGUudjEuQm9keVR5cGUSIAoGc2hhcGVzGAMgAygLMhAuam9zdGxlLnYxLlNoYXBlEg0KBW93bmVyGAQgASgNEhIKBWNvbG9yGAUgASgHSACIAQESDAoEbmFtZRgGIAEoCRIMCgRtYXNzGAcgASgBEhQKDGNvbnRyb2xsYWJsZRgIIAEoCBIWCg5saW5lYXJfZGFtcGluZxgJIAEoARIXCg9hbmd1bGFyX2RhbXBpbmcYCiABKAESGgoNZ3Jhdml0eV9zY2FsZRgLIAEoAUgBiAEBEh8KBWxvY2tzGAwgASgLMhAuam9zdGxlLnYxLkxvY2tzEg8KB2pvaW50ZWQYDSABKAhCCAoGX2NvbG9yQhAKDl9ncmF2aXR5X3NjYWxlIskECghTbmFwc2hvdBINCgVmcmFtZRgBIAEoDRIRCgliYXNlbGluZXMYAiABKA0SDgoGcGFja2VkGAUgASgMEgsKA2NyYxgGIAEoBxIPCgdsYXRlX3VzGAcgASgSEhAKCGNoYW5uZWxzGAkgASgMEhQKDGNoYW5uZWxzX2NyYxgKIAEoBxIXCg91bmNoYW5nZWRfdGlja3MYCyABKA0SJAoFc3RhdHMYDCABKAsyFS5qb3N0bGUudjEuV29ybGRTdGF0cxIhCgZldmVudHMYDSADKAsyES5qb3N0bGUudjEuRXZlbnRzEi4KDWNsaWVudF91cGRhdGUYDyABKAsyFy5qb3N0bGUudjEuQ2xpZW50VXBkYXRlEiQKBWNlbGxzGBAgAygLMhUuam9zdGxlLnYxLkNlbGxVcGRhdGUSEgoKY2VsbHNfbGVmdBgRIAMoDRI7ChFjb250cm9sbGVkX2VudGl0eRgSIAEoCzIgLmpvc3RsZS52MS5Db250cm9sbGVkRW50aXR5U3RhdGUSLQoNcG9pbnRfb2JqZWN0cxgTIAMoCzIWLmpvc3RsZS52MS5Qb2ludE9iamVjdBImCgZwb2ludHMYFCADKAsyFi5qb3N0bGUudjEuUG9pbnRVcGRhdGUSFAoMcG9pbnRzX2VuZGVkGBUgAygNSgQIAxAESgQIBBAFSgQICBAJUgpiYXNlX2ZyYW1lUgtiYXNlMl9mcmFtZVILYmFzZTNfZnJhbWVSDnNlcnZlcl90aW1lX3VzUgdtb2R1bGVzIrgBCgxDbGllbnRVcGRhdGUSFgoOaW5wdXRfc2VxdWVuY2UYASABKA0SGwoTZWNob19jbGllbnRfdGltZV91cxgCIAEoBxIZChFzbmFwc2hvdHNfc2tpcHBlZBgDIAEoDRInCgdyZXN1bHRzGAQgAygLMhYuam9zdGxlLnYxLklucHV0UmVzdWx0EhcKD2lucHV0X21hcmdpbl91cxgHIAEoERIWCg5pbnB1dF9yZWNlaXZlZBgMIAEoDSKMAQoVQ29udHJvbGxlZEVudGl0eVN0YXRlEg4KBmVudGl0eRgBIAEoDRIOCgZtb2R1bGUYAiABKAkSDAoEdGljaxgDIAEoDRINCgV3b3JkcxgEIAEoDRIQCghrZXlmcmFtZRgFIAEoCBIUCgxjaGFuZ2VkX21hc2sYBiABKAwSDgoGdmFsdWVzGAcgASgMIqUBCgtJbnB1dFJlc3VsdBIQCghzZXF1ZW5jZRgBIAEoDRIiCgRjb2RlGAIgASgOMhQuam9zdGxlLnYxLklucHV0Q29kZRIMCgR0aWNrGAMgASgNEg4KBmVudGl0eRgEIAEoDRIPCgdtZXNzYWdlGAUgASgJEhkKEXZpZXdfdGltZV9jbGFtcGVkGAYgASgIEhYKDnJldHJ5X2FmdGVyX21zGAcgASgNIjYKBFBvbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYSFgoOc2VydmVyX3RpbWVfdXMYAiABKAYivwEKCldvcmxkU3RhdHMSDAoEdGljaxgBIAEoDRIOCgZib2RpZXMYAiABKA0SDQoFYXdha2UYAyABKA0SEAoIY29udGFjdHMYBCABKA0SDwoHY2xpZW50cxgFIAEoDRIUCgxzdGVwX21zX21lYW4YBiABKAESEwoLc3RlcF9tc19tYXgYByABKAESEgoKbGF0ZV90aWNrcxgIIAEoDRIOCgZwYXVzZWQYCSABKAkSEgoKdGltZV9zY2FsZRgKIAEoASI+CgZOb3RpY2USIwoEY29kZRgBIAEoDjIVLmpvc3RsZS52MS5Ob3RpY2VDb2RlEg8KB21lc3NhZ2UYAiABKAkixAMKBkV2ZW50cxIMCgR0aWNrGAEgASgNEi8KDmNvbnRhY3RzX2JlZ2FuGAIgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIvCg5jb250YWN0c19lbmRlZBgDIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSKQoIY29udGFjdHMYBCADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EiUKBGhpdHMYBSADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EjEKEHRyaWdnZXJzX2VudGVyZWQYBiADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50EjAKD3RyaWdnZXJzX3N0YXllZBgHIAMoCzIXLmpvc3RsZS52MS5UcmlnZ2VyRXZlbnQSLgoNdHJpZ2dlcnNfbGVmdBgIIAMoCzIXLmpvc3RsZS52MS5UcmlnZ2VyRXZlbnQSMAoMam9pbnRzX2Jyb2tlGAkgAygLMhouam9zdGxlLnYxLkpvaW50QnJlYWtFdmVudBITCgtmZWxsX2FzbGVlcBgKIAMoDRIMCgR3b2tlGAsgAygNEg4KBm1pc3NlZBgMIAEoDSKTAQoMQ29udGFjdEV2ZW50EhAKCGVudGl0eV9hGAEgASgNEhAKCGVudGl0eV9iGAIgASgNEh4KBXBvaW50GAMgASgLMg8uam9zdGxlLnYxLlZlYzMSHwoGbm9ybWFsGAQgASgLMg8uam9zdGxlLnYxLlZlYzMSDQoFc3BlZWQYBSABKAESDwoHaW1wdWxzZRgGIAEoASIvCgxUcmlnZ2VyRXZlbnQSDwoHdHJpZ2dlchgBIAEoDRIOCgZlbnRpdHkYAiABKA0iVAoPSm9pbnRCcmVha0V2ZW50EhAKCGVudGl0eV9hGAEgASgNEhAKCGVudGl0eV9iGAIgASgNEg0KBWZvcmNlGAMgASgBEg4KBnRvcnF1ZRgEIAEoASqOAQoLQ2hhbm5lbEZvcm0SHAoYQ0hBTk5FTF9GT1JNX1VOU1BFQ0lGSUVEEAASFwoTQ0hBTk5FTF9GT1JNX1BBUkFNUxABEhcKE0NIQU5ORUxfRk9STV9QT0lOVFMQAhIVChFDSEFOTkVMX0ZPUk1fU0VFRBAEIgQIAxADKhJDSEFOTkVMX0ZPUk1fRklFTEQqnAEKCVBvaW50Rm9ybRIaChZQT0lOVF9GT1JNX1VOU1BFQ0lGSUVEEAASFAoQUE9JTlRfRk9STV9MT09TRRABEhYKElBPSU5UX0ZPUk1fU1RSQU5EUxACEhMKD1BPSU5UX0ZPUk1fR1JJRBADEhgKFFBPSU5UX0ZPUk1fVFJJQU5HTEVTEAQSFgoSUE9JTlRfRk9STV9IRUlHSFRTEAUqvwEKCUlucHV0Q29kZRIaChZJTlBVVF9DT0RFX1VOU1BFQ0lGSUVEEAASFgoSSU5QVVRfQ09ERV9BUFBMSUVEEAESFgoSSU5QVVRfQ09ERV9JTlZBTElEEAISGAoUSU5QVVRfQ09ERV9OT1RfRk9VTkQQAxIaChZJTlBVVF9DT0RFX05PVF9BTExPV0VEEAQSFAoQSU5QVVRfQ09ERV9MSU1JVBAFEhoKFklOUFVUX0NPREVfVU5BVkFJTEFCTEUQBiq3AQoKTm90aWNlQ29kZRIbChdOT1RJQ0VfQ09ERV9VTlNQRUNJRklFRBAAEhgKFE5PVElDRV9DT0RFX0RSQUlOSU5HEAESHAoYTk9USUNFX0NPREVfV09STERfQ0xPU0VEEAISFwoTTk9USUNFX0NPREVfUkVGVVNFRBADEhoKFk5PVElDRV9DT0RFX1JBVEVfTElNSVQQBBIfChtOT1RJQ0VfQ09ERV9XT1JMRF9SRVNUQVJURUQQBTJNCgtQbGF5U2VydmljZRI+CgRQbGF5Ehguam9zdGxlLnYxLkNsaWVudE1lc3NhZ2UaGC5qb3N0bGUudjEuU2VydmVyTWVzc2FnZSgBMAFiBnByb3RvMw", [file_jostle_v1_common, file_jostle_v1_scene]);
+  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIvEBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAEicKCGludGVyZXN0GAYgASgLMhMuam9zdGxlLnYxLkludGVyZXN0SABCCQoHbWVzc2FnZSLFAwoFSGVsbG8SEAoIcHJvdG9jb2wYASABKA0SDQoFd29ybGQYAiABKAkSDgoGdGlja2V0GAMgASgJEgwKBG5hbWUYBCABKAkSEwoLc25hcHNob3RfaHoYBSABKA0SEQoJc3BlY3RhdG9yGAYgASgIEg4KBmV2ZW50cxgHIAEoCBINCgV0b2tlbhgIIAEoCRIQCghjaGFubmVscxgJIAMoCRINCgVjb2RlYxgKIAEoDRIQCghtYXhfa2JwcxgLIAEoDRIlCghpbnRlcmVzdBgOIAEoCzITLmpvc3RsZS52MS5JbnRlcmVzdBInCglwcmVjaXNpb24YDyABKAsyFC5qb3N0bGUudjEuUHJlY2lzaW9uEhcKD3BhY2tlZF9lbnRpdGllcxgQIAEoCBIRCglkYXRhZ3JhbXMYFCABKAgSEQoJcmVzdW1hYmxlGDwgASgIEiEKBnJlc3VtZRg9IAEoCzIRLmpvc3RsZS52MS5SZXN1bWUSDwoHcGxheWVycxhGIAEoCBISCgphdHRyaWJ1dGVzGEcgASgIEg4KBnRvcGljcxhIIAMoCRISCgVjb2xvchhJIAEoB0gAiAEBQggKBl9jb2xvciI3CgZSZXN1bWUSDQoFdG9rZW4YASABKAwSDQoFZnJhbWUYAiABKA0SDwoHbWVzc2FnZRgDIAEoDSI6CghJbnRlcmVzdBIeCgVmb2N1cxgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEg4KBnJhZGl1cxgCIAEoASJ7CgpJbnB1dEJhdGNoEhYKDmZpcnN0X3NlcXVlbmNlGAEgASgNEiAKBmlucHV0cxgCIAMoCzIQLmpvc3RsZS52MS5JbnB1dBIbCgNhY2sYAyABKAsyDi5qb3N0bGUudjEuQWNrEhYKDmNsaWVudF90aW1lX3VzGAQgASgHItMECgVJbnB1dBImCgVzcGF3bhgBIAEoCzIVLmpvc3RsZS52MS5TcGF3bklucHV0SAASKgoHaW1wdWxzZRgCIAEoCzIXLmpvc3RsZS52MS5JbXB1bHNlSW5wdXRIABIkCgRncmFiGAMgASgLMhQuam9zdGxlLnYxLkdyYWJJbnB1dEgAEiQKBGRyYWcYBCABKAsyFC5qb3N0bGUudjEuRHJhZ0lucHV0SAASKgoHcmVsZWFzZRgFIAEoCzIXLmpvc3RsZS52MS5SZWxlYXNlSW5wdXRIABIoCgZkZWxldGUYBiABKAsyFi5qb3N0bGUudjEuRGVsZXRlSW5wdXRIABIqCgdleHBsb2RlGAcgASgLMhcuam9zdGxlLnYxLkV4cGxvZGVJbnB1dEgAEioKB3Bvc3Nlc3MYCCABKAsyFy5qb3N0bGUudjEuUG9zc2Vzc0lucHV0SAASKgoHY29udHJvbBgJIAEoCzIXLmpvc3RsZS52MS5Db250cm9sSW5wdXRIABIiCgNjdXQYCiABKAsyEy5qb3N0bGUudjEuQ3V0SW5wdXRIABI3Cg5zZXRfYXR0cmlidXRlcxgLIAEoCzIdLmpvc3RsZS52MS5TZXRBdHRyaWJ1dGVzSW5wdXRIABIzCgxzZW5kX21lc3NhZ2UYDCABKAsyGy5qb3N0bGUudjEuU2VuZE1lc3NhZ2VJbnB1dEgAEigKBnJlbmFtZRgQIAEoCzIWLmpvc3RsZS52MS5SZW5hbWVJbnB1dEgAEgwKBHRpY2sYDyABKA1CBgoEa2luZCLmAQoKU3Bhd25JbnB1dBIfCgVzaGFwZRgBIAEoCzIQLmpvc3RsZS52MS5TaGFwZRIhCghwb3NpdGlvbhgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAMgASgLMg8uam9zdGxlLnYxLlF1YXQSKAoPbGluZWFyX3ZlbG9jaXR5GAQgASgLMg8uam9zdGxlLnYxLlZlYzMSKQoQYW5ndWxhcl92ZWxvY2l0eRgFIAEoCzIPLmpvc3RsZS52MS5WZWMzEhIKBWNvbG9yGAYgASgHSACIAQFCCAoGX2NvbG9yIn8KA0FpbRIfCgZvcmlnaW4YASABKAsyDy5qb3N0bGUudjEuVmVjMxIfCgZtb3Rpb24YAiABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZpZ25vcmUYAyABKA0SJgoJdmlld190aW1lGAQgASgLMhMuam9zdGxlLnYxLlZpZXdUaW1lIo0BCgxJbXB1bHNlSW5wdXQSDgoGZW50aXR5GAEgASgNEiAKB2ltcHVsc2UYAiABKAsyDy5qb3N0bGUudjEuVmVjMxIeCgVwb2ludBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzEhsKA2FpbRgEIAEoCzIOLmpvc3RsZS52MS5BaW0SDgoGb2JqZWN0GAUgASgNImgKCUdyYWJJbnB1dBIOCgZlbnRpdHkYASABKA0SHgoFcG9pbnQYAiABKAsyDy5qb3N0bGUudjEuVmVjMxIbCgNhaW0YAyABKAsyDi5qb3N0bGUudjEuQWltEg4KBm9iamVjdBgEIAEoDSIsCglEcmFnSW5wdXQSHwoGdGFyZ2V0GAEgASgLMg8uam9zdGxlLnYxLlZlYzMiDgoMUmVsZWFzZUlucHV0Ih0KC0RlbGV0ZUlucHV0Eg4KBmVudGl0eRgBIAEoDSJrCgxFeHBsb2RlSW5wdXQSHwoGY2VudGVyGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBEg0KBXNwZWVkGAMgASgBEhsKA2FpbRgEIAEoCzIOLmpvc3RsZS52MS5BaW0iVwoIQ3V0SW5wdXQSDgoGb2JqZWN0GAEgASgNEh4KBXBvaW50GAIgASgLMg8uam9zdGxlLnYxLlZlYzMSGwoDYWltGAMgASgLMg4uam9zdGxlLnYxLkFpbSIeCgxQb3NzZXNzSW5wdXQSDgoGZW50aXR5GAEgASgNIi0KDENvbnRyb2xJbnB1dBIMCgRheGVzGAEgAygREg8KB2J1dHRvbnMYAiABKA0iOgoSU2V0QXR0cmlidXRlc0lucHV0EiQKA3NldBgBIAEoCzIXLmpvc3RsZS52MS5BdHRyaWJ1dGVTZXQiTgoQU2VuZE1lc3NhZ2VJbnB1dBINCgV0b3BpYxgBIAEoCRIMCgRkYXRhGAIgASgMEgoKAnRvGAMgAygNEhEKCXRvX3NlcnZlchgEIAEoCCIbCgtSZW5hbWVJbnB1dBIMCgRuYW1lGAEgASgJIlMKA0FjaxINCgVmcmFtZRgBIAEoDRIVCg1uZWVkX2tleWZyYW1lGAIgASgIEhQKDGFja19kZWxheV9tcxgDIAEoDRIQCghhY2tfYml0cxgIIAEoByIeCgRQaW5nEhYKDmNsaWVudF90aW1lX3VzGAEgASgGIgcKBUxlYXZlIsACCg1TZXJ2ZXJNZXNzYWdlEiUKB3dlbGNvbWUYASABKAsyEi5qb3N0bGUudjEuV2VsY29tZUgAEjAKDWVudGl0eV91cGRhdGUYAiABKAsyFy5qb3N0bGUudjEuRW50aXR5VXBkYXRlSAASJwoIc25hcHNob3QYAyABKAsyEy5qb3N0bGUudjEuU25hcHNob3RIABIfCgRwb25nGAUgASgLMg8uam9zdGxlLnYxLlBvbmdIABIjCgZub3RpY2UYByABKAsyES5qb3N0bGUudjEuTm90aWNlSAASLAoIZ2VvbWV0cnkYCSABKAsyGC5qb3N0bGUudjEuR2VvbWV0cnlDaHVua0gAQgkKB21lc3NhZ2VKBAgEEAVKBAgGEAdKBAgIEAlSDWlucHV0X3Jlc3VsdHNSBXN0YXRzUgZldmVudHMiWgoKQ2VsbFVwZGF0ZRIMCgRjZWxsGAEgASgNEg4KBm51bWJlchgCIAEoDRIRCgliYXNlbGluZXMYAyABKA0SDgoGcGFja2VkGAQgASgMEgsKA2NyYxgFIAEoByK/BAoHV2VsY29tZRIRCgljbGllbnRfaWQYASABKA0SEAoId29ybGRfaWQYAiABKAkSEgoKd29ybGRfbmFtZRgDIAEoCRIMCgR0aWNrGAQgASgNEg8KB3RpY2tfaHoYBSABKAESEwoLc25hcHNob3RfaHoYBiABKA0SIwoFcXVhbnQYCCABKAsyFC5qb3N0bGUudjEuUXVhbnRTcGVjEhYKDnNlcnZlcl90aW1lX3VzGAkgASgGEiAKB2dyYXZpdHkYCiABKAsyDy5qb3N0bGUudjEuVmVjMxIoCghjaGFubmVscxgLIAMoCzIWLmpvc3RsZS52MS5DaGFubmVsS2luZBINCgVjb2RlYxgMIAEoDRIXCg9hY2tfaW50ZXJ2YWxfbXMYDSABKA0SEAoIZXBvY2hfdXMYDiABKAYSDQoFY2VsbHMYDyABKAgSJwoJcHJlY2lzaW9uGBIgASgLMhQuam9zdGxlLnYxLlByZWNpc2lvbhIQCghzdWJzdGVwcxgQIAEoDRIxCglkYXRhZ3JhbXMYFCABKAsyHi5qb3N0bGUudjEuRGF0YWdyYW1DcmVkZW50aWFscxIUCgxyZXN1bWVfdG9rZW4YPCABKAwSDwoHcmVzdW1lZBg9IAEoCBIXCg9zdGF0ZV9wcmVzZXJ2ZWQYPiABKAgSFQoNbGFzdF9zZXF1ZW5jZRg/IAEoDRIeChZyZXN1bWVfdGltZW91dF9zZWNvbmRzGEAgASgBSgQIBxAIUgphY2tfd2luZG93IjwKE0RhdGFncmFtQ3JlZGVudGlhbHMSDAoEcG9ydBgBIAEoDRIKCgJpZBgCIAEoBhILCgNrZXkYAyABKAwiUgoLQ2hhbm5lbEtpbmQSDAoEbmFtZRgBIAEoCRIkCgRmb3JtGAIgASgOMhYuam9zdGxlLnYxLkNoYW5uZWxGb3JtEg8KB2Rpdmlzb3IYAyABKA0iswIKC1BvaW50T2JqZWN0EgoKAmlkGAEgASgNEgwKBGtpbmQYAiABKA0SCwoDa2V5GAMgASgNEg4KBmVudGl0eRgEIAEoDRIiCgRmb3JtGAUgASgOMhQuam9zdGxlLnYxLlBvaW50Rm9ybRIPCgdzdGVwX3VtGAYgASgNEg4KBnBvaW50cxgHIAEoDRIPCgdjb2x1bW5zGAggASgNEg8KB3N0cmFuZHMYCSADKA0SEQoJdHJpYW5nbGVzGAogAygREg4KBnJhZGl1cxgLIAEoAhISCgVjb2xvchgMIAEoB0gAiAEBEh8KBm9yaWdpbhgNIAEoCzIPLmpvc3RsZS52MS5WZWMzEhEKCXNwYWNpbmdfeBgOIAEoAhIRCglzcGFjaW5nX3oYDyABKAJCCAoGX2NvbG9yImYKC1BvaW50VXBkYXRlEg4KBm9iamVjdBgBIAEoDRIOCgZudW1iZXIYAiABKA0SDAoEYmFjaxgDIAEoDRIMCgR0aWNrGAQgASgNEg4KBnBhY2tlZBgFIAEoDBILCgNjcmMYBiABKAciQAoJUXVhbnRTcGVjEhcKD3VuaXRzX3Blcl9tZXRlchgBIAEoDRIaChJyb3RhdGlvbl9jb21wb25lbnQYAiABKA0iTQoNR2VvbWV0cnlDaHVuaxIKCgJpZBgBIAEoBhINCgVjaHVuaxgCIAEoDRITCgtjaHVua19jb3VudBgDIAEoDRIMCgRkYXRhGAQgASgMIngKDEVudGl0eVVwZGF0ZRIgCgVhZGRlZBgBIAMoCzIRLmpvc3RsZS52MS5FbnRpdHkSDwoHcmVtb3ZlZBgCIAMoDRIOCgZwYWNrZWQYAyABKAwSJQoKcHJvdG90eXBlcxgEIAMoCzIRLmpvc3RsZS52MS5FbnRpdHkiyQIKBkVudGl0eRIKCgJpZBgBIAEoDRIhCgR0eXBlGAIgASgOMhMuam9zdGxlLnYxLkJvZHlUeXBlEiAKBnNoYXBlcxgDIAMoCzIQLmpvc3RsZS52MS5TaGFwZRINCgVvd25lchgEIAEoDRISCgVjb2xvchgFIAEoB0gAiAEBEgwKBG5hbWUYBiABKAkSDAoEbWFzcxgHIAEoARIUCgxjb250cm9sbGFibGUYCCABKAgSFgoObGluZWFyX2RhbXBpbmcYCSABKAESFwoPYW5ndWxhcl9kYW1waW5nGAogASgBEhoKDWdyYXZpdHlfc2NhbGUYCyABKAFIAYgBARIfCgVsb2NrcxgMIAEoCzIQLmpvc3RsZS52MS5Mb2NrcxIPCgdqb2ludGVkGA0gASgIQggKBl9jb2xvckIQCg5fZ3Jhdml0eV9zY2FsZSLmBQoIU25hcHNob3QSDQoFZnJhbWUYASABKA0SEQoJYmFzZWxpbmVzGAIgASgNEg4KBnBhY2tlZBgFIAEoDBILCgNjcmMYBiABKAcSDwoHbGF0ZV91cxgHIAEoEhIQCghjaGFubmVscxgJIAEoDBIUCgxjaGFubmVsc19jcmMYCiABKAcSFwoPdW5jaGFuZ2VkX3RpY2tzGAsgASgNEiQKBXN0YXRzGAwgASgLMhUuam9zdGxlLnYxLldvcmxkU3RhdHMSIQoGZXZlbnRzGA0gAygLMhEuam9zdGxlLnYxLkV2ZW50cxIuCg1jbGllbnRfdXBkYXRlGA8gASgLMhcuam9zdGxlLnYxLkNsaWVudFVwZGF0ZRIkCgVjZWxscxgQIAMoCzIVLmpvc3RsZS52MS5DZWxsVXBkYXRlEhIKCmNlbGxzX2xlZnQYESADKA0SOwoRY29udHJvbGxlZF9lbnRpdHkYEiABKAsyIC5qb3N0bGUudjEuQ29udHJvbGxlZEVudGl0eVN0YXRlEi0KDXBvaW50X29iamVjdHMYEyADKAsyFi5qb3N0bGUudjEuUG9pbnRPYmplY3QSJgoGcG9pbnRzGBQgAygLMhYuam9zdGxlLnYxLlBvaW50VXBkYXRlEhQKDHBvaW50c19lbmRlZBgVIAMoDRIoCgdwbGF5ZXJzGB4gAygLMhcuam9zdGxlLnYxLlBsYXllclVwZGF0ZRIuCgphdHRyaWJ1dGVzGB8gAygLMhouam9zdGxlLnYxLkF0dHJpYnV0ZVVwZGF0ZRIoCghtZXNzYWdlcxggIAMoCzIWLmpvc3RsZS52MS5Vc2VyTWVzc2FnZRIXCg9tZXNzYWdlc19taXNzZWQYISABKA1KBAgDEARKBAgEEAVKBAgIEAlSCmJhc2VfZnJhbWVSC2Jhc2UyX2ZyYW1lUgtiYXNlM19mcmFtZVIOc2VydmVyX3RpbWVfdXNSB21vZHVsZXMipQEKBlBsYXllchIOCgZjbGllbnQYASABKA0SDAoEbmFtZRgCIAEoCRIjCgRyb2xlGAMgASgOMhUuam9zdGxlLnYxLlBsYXllclJvbGUSEgoFY29sb3IYBCABKAdIAIgBARIUCgxkaXNjb25uZWN0ZWQYBSABKAgSEwoLam9pbmVkX3RpY2sYBiABKA0SDwoHcGluZ19tcxgHIAEoDUIICgZfY29sb3IiaAoLUGxheWVyRXZlbnQSDAoEdGljaxgBIAEoDRIoCgRraW5kGAIgASgOMhouam9zdGxlLnYxLlBsYXllckV2ZW50S2luZBIhCgZwbGF5ZXIYAyABKAsyES5qb3N0bGUudjEuUGxheWVyIpIBCgxQbGF5ZXJVcGRhdGUSEAoIY29tcGxldGUYASABKAgSIgoHcGxheWVycxgCIAMoCzIRLmpvc3RsZS52MS5QbGF5ZXISJgoGZXZlbnRzGAMgAygLMhYuam9zdGxlLnYxLlBsYXllckV2ZW50EiQKBXBpbmdzGAQgAygLMhUuam9zdGxlLnYxLlBsYXllclBpbmciLQoKUGxheWVyUGluZxIOCgZjbGllbnQYASABKA0SDwoHcGluZ19tcxgCIAEoDSLiAQoJQXR0cmlidXRlEgsKA2tleRgBIAEoCRIRCgdib29sZWFuGAIgASgISAASEQoHaW50ZWdlchgDIAEoEkgAEhAKBm51bWJlchgEIAEoAUgAEg4KBHRleHQYBSABKAlIABIhCgZ2ZWN0b3IYBiABKAsyDy5qb3N0bGUudjEuVmVjM0gAEjIKCnZpc2liaWxpdHkYByABKA4yHi5qb3N0bGUudjEuQXR0cmlidXRlVmlzaWJpbGl0eRINCgVyb2xlcxgIIAEoDRIRCglyZWFkX29ubHkYCSABKAhCBwoFdmFsdWUidwoMQXR0cmlidXRlU2V0EhAKBmVudGl0eRgBIAEoDUgAEhAKBnBsYXllchgCIAEoDUgAEg8KBXdvcmxkGAMgASgISAASKAoKYXR0cmlidXRlcxgEIAMoCzIULmpvc3RsZS52MS5BdHRyaWJ1dGVCCAoGdGFyZ2V0IocBCg9BdHRyaWJ1dGVVcGRhdGUSDAoEdGljaxgBIAEoDRIQCghjb21wbGV0ZRgCIAEoCBIlCgRzZXRzGAMgAygLMhcuam9zdGxlLnYxLkF0dHJpYnV0ZVNldBIWCg5lbnRpdGllc19lbmRlZBgEIAMoDRIVCg1wbGF5ZXJzX2VuZGVkGAUgAygNImYKC1VzZXJNZXNzYWdlEg4KBm51bWJlchgBIAEoDRIMCgR0aWNrGAIgASgNEgwKBGZyb20YAyABKA0SDQoFdG9waWMYBCABKAkSDAoEZGF0YRgFIAEoDBIOCgZkaXJlY3QYBiABKAgiuAEKDENsaWVudFVwZGF0ZRIWCg5pbnB1dF9zZXF1ZW5jZRgBIAEoDRIbChNlY2hvX2NsaWVudF90aW1lX3VzGAIgASgHEhkKEXNuYXBzaG90c19za2lwcGVkGAMgASgNEicKB3Jlc3VsdHMYBCADKAsyFi5qb3N0bGUudjEuSW5wdXRSZXN1bHQSFwoPaW5wdXRfbWFyZ2luX3VzGAcgASgREhYKDmlucHV0X3JlY2VpdmVkGAwgASgNIowBChVDb250cm9sbGVkRW50aXR5U3RhdGUSDgoGZW50aXR5GAEgASgNEg4KBm1vZHVsZRgCIAEoCRIMCgR0aWNrGAMgASgNEg0KBXdvcmRzGAQgASgNEhAKCGtleWZyYW1lGAUgASgIEhQKDGNoYW5nZWRfbWFzaxgGIAEoDBIOCgZ2YWx1ZXMYByABKAwipQEKC0lucHV0UmVzdWx0EhAKCHNlcXVlbmNlGAEgASgNEiIKBGNvZGUYAiABKA4yFC5qb3N0bGUudjEuSW5wdXRDb2RlEgwKBHRpY2sYAyABKA0SDgoGZW50aXR5GAQgASgNEg8KB21lc3NhZ2UYBSABKAkSGQoRdmlld190aW1lX2NsYW1wZWQYBiABKAgSFgoOcmV0cnlfYWZ0ZXJfbXMYByABKA0iNgoEUG9uZxIWCg5jbGllbnRfdGltZV91cxgBIAEoBhIWCg5zZXJ2ZXJfdGltZV91cxgCIAEoBiK/AQoKV29ybGRTdGF0cxIMCgR0aWNrGAEgASgNEg4KBmJvZGllcxgCIAEoDRINCgVhd2FrZRgDIAEoDRIQCghjb250YWN0cxgEIAEoDRIPCgdjbGllbnRzGAUgASgNEhQKDHN0ZXBfbXNfbWVhbhgGIAEoARITCgtzdGVwX21zX21heBgHIAEoARISCgpsYXRlX3RpY2tzGAggASgNEg4KBnBhdXNlZBgJIAEoCRISCgp0aW1lX3NjYWxlGAogASgBIj4KBk5vdGljZRIjCgRjb2RlGAEgASgOMhUuam9zdGxlLnYxLk5vdGljZUNvZGUSDwoHbWVzc2FnZRgCIAEoCSLEAwoGRXZlbnRzEgwKBHRpY2sYASABKA0SLwoOY29udGFjdHNfYmVnYW4YAiADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50Ei8KDmNvbnRhY3RzX2VuZGVkGAMgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIpCghjb250YWN0cxgEIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSJQoEaGl0cxgFIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSMQoQdHJpZ2dlcnNfZW50ZXJlZBgGIAMoCzIXLmpvc3RsZS52MS5UcmlnZ2VyRXZlbnQSMAoPdHJpZ2dlcnNfc3RheWVkGAcgAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIuCg10cmlnZ2Vyc19sZWZ0GAggAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIwCgxqb2ludHNfYnJva2UYCSADKAsyGi5qb3N0bGUudjEuSm9pbnRCcmVha0V2ZW50EhMKC2ZlbGxfYXNsZWVwGAogAygNEgwKBHdva2UYCyADKA0SDgoGbWlzc2VkGAwgASgNIpMBCgxDb250YWN0RXZlbnQSEAoIZW50aXR5X2EYASABKA0SEAoIZW50aXR5X2IYAiABKA0SHgoFcG9pbnQYAyABKAsyDy5qb3N0bGUudjEuVmVjMxIfCgZub3JtYWwYBCABKAsyDy5qb3N0bGUudjEuVmVjMxINCgVzcGVlZBgFIAEoARIPCgdpbXB1bHNlGAYgASgBIi8KDFRyaWdnZXJFdmVudBIPCgd0cmlnZ2VyGAEgASgNEg4KBmVudGl0eRgCIAEoDSJUCg9Kb2ludEJyZWFrRXZlbnQSEAoIZW50aXR5X2EYASABKA0SEAoIZW50aXR5X2IYAiABKA0SDQoFZm9yY2UYAyABKAESDgoGdG9ycXVlGAQgASgBKowBCgpQbGF5ZXJSb2xlEhsKF1BMQVlFUl9ST0xFX1VOU1BFQ0lGSUVEEAASGQoVUExBWUVSX1JPTEVfU1BFQ1RBVE9SEAESFgoSUExBWUVSX1JPTEVfUExBWUVSEAISFwoTUExBWUVSX1JPTEVfQlVJTERFUhADEhUKEVBMQVlFUl9ST0xFX09XTkVSEAQqjgEKC0NoYW5uZWxGb3JtEhwKGENIQU5ORUxfRk9STV9VTlNQRUNJRklFRBAAEhcKE0NIQU5ORUxfRk9STV9QQVJBTVMQARIXChNDSEFOTkVMX0ZPUk1fUE9JTlRTEAISFQoRQ0hBTk5FTF9GT1JNX1NFRUQQBCIECAMQAyoSQ0hBTk5FTF9GT1JNX0ZJRUxEKpwBCglQb2ludEZvcm0SGgoWUE9JTlRfRk9STV9VTlNQRUNJRklFRBAAEhQKEFBPSU5UX0ZPUk1fTE9PU0UQARIWChJQT0lOVF9GT1JNX1NUUkFORFMQAhITCg9QT0lOVF9GT1JNX0dSSUQQAxIYChRQT0lOVF9GT1JNX1RSSUFOR0xFUxAEEhYKElBPSU5UX0ZPUk1fSEVJR0hUUxAFKvQBCg9QbGF5ZXJFdmVudEtpbmQSIQodUExBWUVSX0VWRU5UX0tJTkRfVU5TUEVDSUZJRUQQABIcChhQTEFZRVJfRVZFTlRfS0lORF9KT0lORUQQARIaChZQTEFZRVJfRVZFTlRfS0lORF9MRUZUEAISHQoZUExBWUVSX0VWRU5UX0tJTkRfUkVOQU1FRBADEiIKHlBMQVlFUl9FVkVOVF9LSU5EX1JPTEVfQ0hBTkdFRBAEEiIKHlBMQVlFUl9FVkVOVF9LSU5EX0RJU0NPTk5FQ1RFRBAFEh0KGVBMQVlFUl9FVkVOVF9LSU5EX1JFU1VNRUQQBiqeAQoTQXR0cmlidXRlVmlzaWJpbGl0eRIkCiBBVFRSSUJVVEVfVklTSUJJTElUWV9VTlNQRUNJRklFRBAAEiEKHUFUVFJJQlVURV9WSVNJQklMSVRZX0VWRVJZT05FEAESHgoaQVRUUklCVVRFX1ZJU0lCSUxJVFlfT1dORVIQAhIeChpBVFRSSUJVVEVfVklTSUJJTElUWV9ST0xFUxADKr8BCglJbnB1dENvZGUSGgoWSU5QVVRfQ09ERV9VTlNQRUNJRklFRBAAEhYKEklOUFVUX0NPREVfQVBQTElFRBABEhYKEklOUFVUX0NPREVfSU5WQUxJRBACEhgKFElOUFVUX0NPREVfTk9UX0ZPVU5EEAMSGgoWSU5QVVRfQ09ERV9OT1RfQUxMT1dFRBAEEhQKEElOUFVUX0NPREVfTElNSVQQBRIaChZJTlBVVF9DT0RFX1VOQVZBSUxBQkxFEAYqtwEKCk5vdGljZUNvZGUSGwoXTk9USUNFX0NPREVfVU5TUEVDSUZJRUQQABIYChROT1RJQ0VfQ09ERV9EUkFJTklORxABEhwKGE5PVElDRV9DT0RFX1dPUkxEX0NMT1NFRBACEhcKE05PVElDRV9DT0RFX1JFRlVTRUQQAxIaChZOT1RJQ0VfQ09ERV9SQVRFX0xJTUlUEAQSHwobTk9USUNFX0NPREVfV09STERfUkVTVEFSVEVEEAUyTQoLUGxheVNlcnZpY2USPgoEUGxheRIYLmpvc3RsZS52MS5DbGllbnRNZXNzYWdlGhguam9zdGxlLnYxLlNlcnZlck1lc3NhZ2UoATABYgZwcm90bzM", [file_jostle_v1_common, file_jostle_v1_scene]);
 
 /**
  * A message from the client to the server.
@@ -123,7 +123,8 @@ export type Hello = Message<"jostle.v1.Hello"> & {
   snapshotHz: number;
 
   /**
-   * the client sends no inputs; the server rejects them with NOT_ALLOWED
+   * The client sends no inputs to the simulation; the server rejects them with NOT_ALLOWED. It may rename itself, send
+   * messages and set its own attributes.
    *
    * @generated from field: bool spectator = 6;
    */
@@ -208,6 +209,35 @@ export type Hello = Message<"jostle.v1.Hello"> & {
    * @generated from field: jostle.v1.Resume resume = 61;
    */
   resume?: Resume | undefined;
+
+  /**
+   * subscribes to the player list and player events (Snapshot.players)
+   *
+   * @generated from field: bool players = 70;
+   */
+  players: boolean;
+
+  /**
+   * subscribes to attributes (Snapshot.attributes)
+   *
+   * @generated from field: bool attributes = 71;
+   */
+  attributes: boolean;
+
+  /**
+   * Topics of user messages to subscribe to (Snapshot.messages), at most 64; "*": all topics. A client also receives
+   * the messages of these topics that are addressed to it.
+   *
+   * @generated from field: repeated string topics = 72;
+   */
+  topics: string[];
+
+  /**
+   * 0xRRGGBB, of the player; absent: chosen by the viewer
+   *
+   * @generated from field: optional fixed32 color = 73;
+   */
+  color?: number | undefined;
 };
 
 /**
@@ -237,6 +267,13 @@ export type Resume = Message<"jostle.v1.Resume"> & {
    * @generated from field: uint32 frame = 2;
    */
   frame: number;
+
+  /**
+   * UserMessage.number of the last received message; 0: none
+   *
+   * @generated from field: uint32 message = 3;
+   */
+  message: number;
 };
 
 /**
@@ -383,6 +420,24 @@ export type Input = Message<"jostle.v1.Input"> & {
      */
     value: CutInput;
     case: "cut";
+  } | {
+    /**
+     * @generated from field: jostle.v1.SetAttributesInput set_attributes = 11;
+     */
+    value: SetAttributesInput;
+    case: "setAttributes";
+  } | {
+    /**
+     * @generated from field: jostle.v1.SendMessageInput send_message = 12;
+     */
+    value: SendMessageInput;
+    case: "sendMessage";
+  } | {
+    /**
+     * @generated from field: jostle.v1.RenameInput rename = 16;
+     */
+    value: RenameInput;
+    case: "rename";
   } | { case: undefined; value?: undefined };
 
   /**
@@ -776,6 +831,96 @@ export const ControlInputSchema: GenMessage<ControlInput> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 16);
 
 /**
+ * Sets and removes attributes of one target. The server applies all of them or none. An owner sets every attribute, a
+ * builder those of every entity, a player those of itself and of the entities that it owns, and a spectator those of
+ * itself. Attributes that the server set are read-only for clients. Limits in the server's settings:
+ * client.attribute_changes_per_second, client.attribute_bytes_max, world.attributes_per_target_max,
+ * world.attribute_text_bytes_max and world.attribute_bytes_max.
+ *
+ * @generated from message jostle.v1.SetAttributesInput
+ */
+export type SetAttributesInput = Message<"jostle.v1.SetAttributesInput"> & {
+  /**
+   * 1 to 64 attributes with different keys
+   *
+   * @generated from field: jostle.v1.AttributeSet set = 1;
+   */
+  set?: AttributeSet | undefined;
+};
+
+/**
+ * Describes the message jostle.v1.SetAttributesInput.
+ * Use `create(SetAttributesInputSchema)` to create a new message.
+ */
+export const SetAttributesInputSchema: GenMessage<SetAttributesInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 17);
+
+/**
+ * Sends a user message. The server delivers the messages of a world to each recipient once and in one order. Limits in
+ * the server's settings: client.user_messages_per_second, client.user_message_bytes_max and
+ * world.user_message_bytes_per_second.
+ *
+ * @generated from message jostle.v1.SendMessageInput
+ */
+export type SendMessageInput = Message<"jostle.v1.SendMessageInput"> & {
+  /**
+   * as Attribute.key
+   *
+   * @generated from field: string topic = 1;
+   */
+  topic: string;
+
+  /**
+   * at most client.user_message_bytes_max (default 1024); the topic defines its meaning
+   *
+   * @generated from field: bytes data = 2;
+   */
+  data: Uint8Array;
+
+  /**
+   * clients, at most 16; empty: all clients of the world, including the sender
+   *
+   * @generated from field: repeated uint32 to = 3;
+   */
+  to: number[];
+
+  /**
+   * only to the server; `to` must be empty
+   *
+   * @generated from field: bool to_server = 4;
+   */
+  toServer: boolean;
+};
+
+/**
+ * Describes the message jostle.v1.SendMessageInput.
+ * Use `create(SendMessageInputSchema)` to create a new message.
+ */
+export const SendMessageInputSchema: GenMessage<SendMessageInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 18);
+
+/**
+ * Changes the display name of the player.
+ *
+ * @generated from message jostle.v1.RenameInput
+ */
+export type RenameInput = Message<"jostle.v1.RenameInput"> & {
+  /**
+   * UTF-8, 1 to 32 bytes without control characters
+   *
+   * @generated from field: string name = 1;
+   */
+  name: string;
+};
+
+/**
+ * Describes the message jostle.v1.RenameInput.
+ * Use `create(RenameInputSchema)` to create a new message.
+ */
+export const RenameInputSchema: GenMessage<RenameInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 19);
+
+/**
  * Acknowledges decoded snapshots.
  *
  * @generated from message jostle.v1.Ack
@@ -816,7 +961,7 @@ export type Ack = Message<"jostle.v1.Ack"> & {
  * Use `create(AckSchema)` to create a new message.
  */
 export const AckSchema: GenMessage<Ack> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 17);
+  messageDesc(file_jostle_v1_play, 20);
 
 /**
  * Measures the clock offset and the round-trip time. The server answers with a Pong.
@@ -837,7 +982,7 @@ export type Ping = Message<"jostle.v1.Ping"> & {
  * Use `create(PingSchema)` to create a new message.
  */
 export const PingSchema: GenMessage<Ping> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 18);
+  messageDesc(file_jostle_v1_play, 21);
 
 /**
  * Ends the session. The server removes the client at once, without a resume timeout, and closes the stream with OK.
@@ -852,7 +997,7 @@ export type Leave = Message<"jostle.v1.Leave"> & {
  * Use `create(LeaveSchema)` to create a new message.
  */
 export const LeaveSchema: GenMessage<Leave> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 19);
+  messageDesc(file_jostle_v1_play, 22);
 
 /**
  * A message from the server to the client.
@@ -909,7 +1054,7 @@ export type ServerMessage = Message<"jostle.v1.ServerMessage"> & {
  * Use `create(ServerMessageSchema)` to create a new message.
  */
 export const ServerMessageSchema: GenMessage<ServerMessage> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 20);
+  messageDesc(file_jostle_v1_play, 23);
 
 /**
  * State of the entities of one interest cell, encoded like a frame (WIRE.md, "Cells").
@@ -956,7 +1101,7 @@ export type CellUpdate = Message<"jostle.v1.CellUpdate"> & {
  * Use `create(CellUpdateSchema)` to create a new message.
  */
 export const CellUpdateSchema: GenMessage<CellUpdate> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 21);
+  messageDesc(file_jostle_v1_play, 24);
 
 /**
  * Accepts a Hello. The first message of a stream.
@@ -1117,7 +1262,7 @@ export type Welcome = Message<"jostle.v1.Welcome"> & {
  * Use `create(WelcomeSchema)` to create a new message.
  */
 export const WelcomeSchema: GenMessage<Welcome> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 22);
+  messageDesc(file_jostle_v1_play, 25);
 
 /**
  * Credentials for datagrams in addition to this stream (WIRE.md, "Datagrams"). Valid as long as the stream.
@@ -1152,7 +1297,7 @@ export type DatagramCredentials = Message<"jostle.v1.DatagramCredentials"> & {
  * Use `create(DatagramCredentialsSchema)` to create a new message.
  */
 export const DatagramCredentialsSchema: GenMessage<DatagramCredentials> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 23);
+  messageDesc(file_jostle_v1_play, 26);
 
 /**
  * A kind of channel: state that a module publishes for an entity or for itself, as a list of integers (WIRE.md,
@@ -1186,7 +1331,7 @@ export type ChannelKind = Message<"jostle.v1.ChannelKind"> & {
  * Use `create(ChannelKindSchema)` to create a new message.
  */
 export const ChannelKindSchema: GenMessage<ChannelKind> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 24);
+  messageDesc(file_jostle_v1_play, 27);
 
 /**
  * The constant properties of a point object: a rope, a cloth, a group of particles. It precedes the first PointUpdate
@@ -1304,7 +1449,7 @@ export type PointObject = Message<"jostle.v1.PointObject"> & {
  * Use `create(PointObjectSchema)` to create a new message.
  */
 export const PointObjectSchema: GenMessage<PointObject> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 25);
+  messageDesc(file_jostle_v1_play, 28);
 
 /**
  * A state of a point object (WIRE.md, "Points").
@@ -1357,7 +1502,7 @@ export type PointUpdate = Message<"jostle.v1.PointUpdate"> & {
  * Use `create(PointUpdateSchema)` to create a new message.
  */
 export const PointUpdateSchema: GenMessage<PointUpdate> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 26);
+  messageDesc(file_jostle_v1_play, 29);
 
 /**
  * Quantization of poses; WIRE.md has the formulas.
@@ -1385,7 +1530,7 @@ export type QuantSpec = Message<"jostle.v1.QuantSpec"> & {
  * Use `create(QuantSpecSchema)` to create a new message.
  */
 export const QuantSpecSchema: GenMessage<QuantSpec> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 27);
+  messageDesc(file_jostle_v1_play, 30);
 
 /**
  * A chunk of a shape of more than 1 kB, sent once for all bodies that use it: a serialized Shape with only its kind
@@ -1427,7 +1572,7 @@ export type GeometryChunk = Message<"jostle.v1.GeometryChunk"> & {
  * Use `create(GeometryChunkSchema)` to create a new message.
  */
 export const GeometryChunkSchema: GenMessage<GeometryChunk> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 28);
+  messageDesc(file_jostle_v1_play, 31);
 
 /**
  * Changes in the list of entities since the last EntityUpdate to this client. The first ones list all entities. A large
@@ -1467,7 +1612,7 @@ export type EntityUpdate = Message<"jostle.v1.EntityUpdate"> & {
  * Use `create(EntityUpdateSchema)` to create a new message.
  */
 export const EntityUpdateSchema: GenMessage<EntityUpdate> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 29);
+  messageDesc(file_jostle_v1_play, 32);
 
 /**
  * @generated from message jostle.v1.Entity
@@ -1564,7 +1709,7 @@ export type Entity = Message<"jostle.v1.Entity"> & {
  * Use `create(EntitySchema)` to create a new message.
  */
 export const EntitySchema: GenMessage<Entity> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 30);
+  messageDesc(file_jostle_v1_play, 33);
 
 /**
  * Everything that the server sends to a client for one tick.
@@ -1688,6 +1833,35 @@ export type Snapshot = Message<"jostle.v1.Snapshot"> & {
    * @generated from field: repeated uint32 points_ended = 21;
    */
   pointsEnded: number[];
+
+  /**
+   * for subscribers (Hello.players), in order
+   *
+   * @generated from field: repeated jostle.v1.PlayerUpdate players = 30;
+   */
+  players: PlayerUpdate[];
+
+  /**
+   * for subscribers (Hello.attributes), in order
+   *
+   * @generated from field: repeated jostle.v1.AttributeUpdate attributes = 31;
+   */
+  attributes: AttributeUpdate[];
+
+  /**
+   * for subscribers (Hello.topics), in order
+   *
+   * @generated from field: repeated jostle.v1.UserMessage messages = 32;
+   */
+  messages: UserMessage[];
+
+  /**
+   * User messages before these that the server no longer stored when the client was ready to receive them. It includes
+   * messages to others.
+   *
+   * @generated from field: uint32 messages_missed = 33;
+   */
+  messagesMissed: number;
 };
 
 /**
@@ -1695,7 +1869,390 @@ export type Snapshot = Message<"jostle.v1.Snapshot"> & {
  * Use `create(SnapshotSchema)` to create a new message.
  */
 export const SnapshotSchema: GenMessage<Snapshot> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 31);
+  messageDesc(file_jostle_v1_play, 34);
+
+/**
+ * A client in a world, from its first join until it leaves for good. A client whose connection broke stays in the list
+ * until its resume timeout.
+ *
+ * @generated from message jostle.v1.Player
+ */
+export type Player = Message<"jostle.v1.Player"> & {
+  /**
+   * client id
+   *
+   * @generated from field: uint32 client = 1;
+   */
+  client: number;
+
+  /**
+   * @generated from field: string name = 2;
+   */
+  name: string;
+
+  /**
+   * @generated from field: jostle.v1.PlayerRole role = 3;
+   */
+  role: PlayerRole;
+
+  /**
+   * 0xRRGGBB
+   *
+   * @generated from field: optional fixed32 color = 4;
+   */
+  color?: number | undefined;
+
+  /**
+   * the connection broke; the client may resume
+   *
+   * @generated from field: bool disconnected = 5;
+   */
+  disconnected: boolean;
+
+  /**
+   * @generated from field: uint32 joined_tick = 6;
+   */
+  joinedTick: number;
+
+  /**
+   * round-trip time, ms; 0: unknown. Only in PlayerUpdate.players
+   *
+   * @generated from field: uint32 ping_ms = 7;
+   */
+  pingMs: number;
+};
+
+/**
+ * Describes the message jostle.v1.Player.
+ * Use `create(PlayerSchema)` to create a new message.
+ */
+export const PlayerSchema: GenMessage<Player> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 35);
+
+/**
+ * @generated from message jostle.v1.PlayerEvent
+ */
+export type PlayerEvent = Message<"jostle.v1.PlayerEvent"> & {
+  /**
+   * @generated from field: uint32 tick = 1;
+   */
+  tick: number;
+
+  /**
+   * @generated from field: jostle.v1.PlayerEventKind kind = 2;
+   */
+  kind: PlayerEventKind;
+
+  /**
+   * after the event; of a player that left: before it
+   *
+   * @generated from field: jostle.v1.Player player = 3;
+   */
+  player?: Player | undefined;
+};
+
+/**
+ * Describes the message jostle.v1.PlayerEvent.
+ * Use `create(PlayerEventSchema)` to create a new message.
+ */
+export const PlayerEventSchema: GenMessage<PlayerEvent> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 36);
+
+/**
+ * A change of the player list. The list is the last complete one with all later events applied. A snapshot that a
+ * client requested with Ack.need_keyframe carries complete lists of players and attributes.
+ *
+ * @generated from message jostle.v1.PlayerUpdate
+ */
+export type PlayerUpdate = Message<"jostle.v1.PlayerUpdate"> & {
+  /**
+   * `players` replaces the list
+   *
+   * @generated from field: bool complete = 1;
+   */
+  complete: boolean;
+
+  /**
+   * sorted by client id
+   *
+   * @generated from field: repeated jostle.v1.Player players = 2;
+   */
+  players: Player[];
+
+  /**
+   * in order
+   *
+   * @generated from field: repeated jostle.v1.PlayerEvent events = 3;
+   */
+  events: PlayerEvent[];
+
+  /**
+   * of all connected players, once per second
+   *
+   * @generated from field: repeated jostle.v1.PlayerPing pings = 4;
+   */
+  pings: PlayerPing[];
+};
+
+/**
+ * Describes the message jostle.v1.PlayerUpdate.
+ * Use `create(PlayerUpdateSchema)` to create a new message.
+ */
+export const PlayerUpdateSchema: GenMessage<PlayerUpdate> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 37);
+
+/**
+ * @generated from message jostle.v1.PlayerPing
+ */
+export type PlayerPing = Message<"jostle.v1.PlayerPing"> & {
+  /**
+   * @generated from field: uint32 client = 1;
+   */
+  client: number;
+
+  /**
+   * round-trip time, ms; 0: unknown
+   *
+   * @generated from field: uint32 ping_ms = 2;
+   */
+  pingMs: number;
+};
+
+/**
+ * Describes the message jostle.v1.PlayerPing.
+ * Use `create(PlayerPingSchema)` to create a new message.
+ */
+export const PlayerPingSchema: GenMessage<PlayerPing> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 38);
+
+/**
+ * A typed value with a name.
+ *
+ * @generated from message jostle.v1.Attribute
+ */
+export type Attribute = Message<"jostle.v1.Attribute"> & {
+  /**
+   * 1 to 32 of the characters a-z, 0-9, '_' and '.'
+   *
+   * @generated from field: string key = 1;
+   */
+  key: string;
+
+  /**
+   * none: the attribute is removed, or the receiver may no longer read it
+   *
+   * @generated from oneof jostle.v1.Attribute.value
+   */
+  value: {
+    /**
+     * @generated from field: bool boolean = 2;
+     */
+    value: boolean;
+    case: "boolean";
+  } | {
+    /**
+     * @generated from field: sint64 integer = 3;
+     */
+    value: bigint;
+    case: "integer";
+  } | {
+    /**
+     * finite
+     *
+     * @generated from field: double number = 4;
+     */
+    value: number;
+    case: "number";
+  } | {
+    /**
+     * UTF-8, at most world.attribute_text_bytes_max (default 256) bytes
+     *
+     * @generated from field: string text = 5;
+     */
+    value: string;
+    case: "text";
+  } | {
+    /**
+     * finite
+     *
+     * @generated from field: jostle.v1.Vec3 vector = 6;
+     */
+    value: Vec3;
+    case: "vector";
+  } | { case: undefined; value?: undefined };
+
+  /**
+   * @generated from field: jostle.v1.AttributeVisibility visibility = 7;
+   */
+  visibility: AttributeVisibility;
+
+  /**
+   * one bit (1 << PlayerRole) per role; only with ROLES
+   *
+   * @generated from field: uint32 roles = 8;
+   */
+  roles: number;
+
+  /**
+   * set by the server, so that clients cannot change it; ignored in inputs
+   *
+   * @generated from field: bool read_only = 9;
+   */
+  readOnly: boolean;
+};
+
+/**
+ * Describes the message jostle.v1.Attribute.
+ * Use `create(AttributeSchema)` to create a new message.
+ */
+export const AttributeSchema: GenMessage<Attribute> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 39);
+
+/**
+ * Attributes of one target. The attributes of an entity or a player end with it. A client with an area of interest
+ * receives the attributes of all entities.
+ *
+ * @generated from message jostle.v1.AttributeSet
+ */
+export type AttributeSet = Message<"jostle.v1.AttributeSet"> & {
+  /**
+   * @generated from oneof jostle.v1.AttributeSet.target
+   */
+  target: {
+    /**
+     * @generated from field: uint32 entity = 1;
+     */
+    value: number;
+    case: "entity";
+  } | {
+    /**
+     * client id
+     *
+     * @generated from field: uint32 player = 2;
+     */
+    value: number;
+    case: "player";
+  } | {
+    /**
+     * true
+     *
+     * @generated from field: bool world = 3;
+     */
+    value: boolean;
+    case: "world";
+  } | { case: undefined; value?: undefined };
+
+  /**
+   * sorted by key in updates
+   *
+   * @generated from field: repeated jostle.v1.Attribute attributes = 4;
+   */
+  attributes: Attribute[];
+};
+
+/**
+ * Describes the message jostle.v1.AttributeSet.
+ * Use `create(AttributeSetSchema)` to create a new message.
+ */
+export const AttributeSetSchema: GenMessage<AttributeSet> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 40);
+
+/**
+ * Changes of the attributes that the client may read.
+ *
+ * @generated from message jostle.v1.AttributeUpdate
+ */
+export type AttributeUpdate = Message<"jostle.v1.AttributeUpdate"> & {
+  /**
+   * @generated from field: uint32 tick = 1;
+   */
+  tick: number;
+
+  /**
+   * the client discards all earlier attributes
+   *
+   * @generated from field: bool complete = 2;
+   */
+  complete: boolean;
+
+  /**
+   * @generated from field: repeated jostle.v1.AttributeSet sets = 3;
+   */
+  sets: AttributeSet[];
+
+  /**
+   * the client discards their attributes; may list unknown ones
+   *
+   * @generated from field: repeated uint32 entities_ended = 4;
+   */
+  entitiesEnded: number[];
+
+  /**
+   * likewise
+   *
+   * @generated from field: repeated uint32 players_ended = 5;
+   */
+  playersEnded: number[];
+};
+
+/**
+ * Describes the message jostle.v1.AttributeUpdate.
+ * Use `create(AttributeUpdateSchema)` to create a new message.
+ */
+export const AttributeUpdateSchema: GenMessage<AttributeUpdate> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 41);
+
+/**
+ * A message from a client or the server to clients. The server does not interpret it.
+ *
+ * @generated from message jostle.v1.UserMessage
+ */
+export type UserMessage = Message<"jostle.v1.UserMessage"> & {
+  /**
+   * counts the messages of the world from 1; those to others leave gaps
+   *
+   * @generated from field: uint32 number = 1;
+   */
+  number: number;
+
+  /**
+   * in which it was sent
+   *
+   * @generated from field: uint32 tick = 2;
+   */
+  tick: number;
+
+  /**
+   * client id; 0: the server
+   *
+   * @generated from field: uint32 from = 3;
+   */
+  from: number;
+
+  /**
+   * @generated from field: string topic = 4;
+   */
+  topic: string;
+
+  /**
+   * @generated from field: bytes data = 5;
+   */
+  data: Uint8Array;
+
+  /**
+   * addressed to this client, not to all
+   *
+   * @generated from field: bool direct = 6;
+   */
+  direct: boolean;
+};
+
+/**
+ * Describes the message jostle.v1.UserMessage.
+ * Use `create(UserMessageSchema)` to create a new message.
+ */
+export const UserMessageSchema: GenMessage<UserMessage> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 42);
 
 /**
  * The part of a snapshot that concerns only the receiving client.
@@ -1752,7 +2309,7 @@ export type ClientUpdate = Message<"jostle.v1.ClientUpdate"> & {
  * Use `create(ClientUpdateSchema)` to create a new message.
  */
 export const ClientUpdateSchema: GenMessage<ClientUpdate> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 32);
+  messageDesc(file_jostle_v1_play, 43);
 
 /**
  * State of the entity that this client controls, for prediction. Sent at most 16 times per second to clients that
@@ -1815,7 +2372,7 @@ export type ControlledEntityState = Message<"jostle.v1.ControlledEntityState"> &
  * Use `create(ControlledEntityStateSchema)` to create a new message.
  */
 export const ControlledEntityStateSchema: GenMessage<ControlledEntityState> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 33);
+  messageDesc(file_jostle_v1_play, 44);
 
 /**
  * @generated from message jostle.v1.InputResult
@@ -1872,7 +2429,7 @@ export type InputResult = Message<"jostle.v1.InputResult"> & {
  * Use `create(InputResultSchema)` to create a new message.
  */
 export const InputResultSchema: GenMessage<InputResult> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 34);
+  messageDesc(file_jostle_v1_play, 45);
 
 /**
  * Answers a Ping.
@@ -1900,7 +2457,7 @@ export type Pong = Message<"jostle.v1.Pong"> & {
  * Use `create(PongSchema)` to create a new message.
  */
 export const PongSchema: GenMessage<Pong> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 35);
+  messageDesc(file_jostle_v1_play, 46);
 
 /**
  * Statistics of a world, sent twice per second by default (stream.stats_per_second in the server's settings).
@@ -1983,7 +2540,7 @@ export type WorldStats = Message<"jostle.v1.WorldStats"> & {
  * Use `create(WorldStatsSchema)` to create a new message.
  */
 export const WorldStatsSchema: GenMessage<WorldStats> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 36);
+  messageDesc(file_jostle_v1_play, 47);
 
 /**
  * @generated from message jostle.v1.Notice
@@ -2005,7 +2562,7 @@ export type Notice = Message<"jostle.v1.Notice"> & {
  * Use `create(NoticeSchema)` to create a new message.
  */
 export const NoticeSchema: GenMessage<Notice> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 37);
+  messageDesc(file_jostle_v1_play, 48);
 
 /**
  * Events of one tick, sorted by entity. Sent only to subscribers (Hello.events), for ticks with events. A client that
@@ -2090,7 +2647,7 @@ export type Events = Message<"jostle.v1.Events"> & {
  * Use `create(EventsSchema)` to create a new message.
  */
 export const EventsSchema: GenMessage<Events> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 38);
+  messageDesc(file_jostle_v1_play, 49);
 
 /**
  * @generated from message jostle.v1.ContactEvent
@@ -2140,7 +2697,7 @@ export type ContactEvent = Message<"jostle.v1.ContactEvent"> & {
  * Use `create(ContactEventSchema)` to create a new message.
  */
 export const ContactEventSchema: GenMessage<ContactEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 39);
+  messageDesc(file_jostle_v1_play, 50);
 
 /**
  * @generated from message jostle.v1.TriggerEvent
@@ -2164,7 +2721,7 @@ export type TriggerEvent = Message<"jostle.v1.TriggerEvent"> & {
  * Use `create(TriggerEventSchema)` to create a new message.
  */
 export const TriggerEventSchema: GenMessage<TriggerEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 40);
+  messageDesc(file_jostle_v1_play, 51);
 
 /**
  * @generated from message jostle.v1.JointBreakEvent
@@ -2200,7 +2757,47 @@ export type JointBreakEvent = Message<"jostle.v1.JointBreakEvent"> & {
  * Use `create(JointBreakEventSchema)` to create a new message.
  */
 export const JointBreakEventSchema: GenMessage<JointBreakEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 41);
+  messageDesc(file_jostle_v1_play, 52);
+
+/**
+ * The role of a client in one world. Each role has the permissions of those before it.
+ *
+ * @generated from enum jostle.v1.PlayerRole
+ */
+export enum PlayerRole {
+  /**
+   * @generated from enum value: PLAYER_ROLE_UNSPECIFIED = 0;
+   */
+  UNSPECIFIED = 0,
+
+  /**
+   * sends no inputs to the simulation
+   *
+   * @generated from enum value: PLAYER_ROLE_SPECTATOR = 1;
+   */
+  SPECTATOR = 1,
+
+  /**
+   * @generated from enum value: PLAYER_ROLE_PLAYER = 2;
+   */
+  PLAYER = 2,
+
+  /**
+   * @generated from enum value: PLAYER_ROLE_BUILDER = 3;
+   */
+  BUILDER = 3,
+
+  /**
+   * @generated from enum value: PLAYER_ROLE_OWNER = 4;
+   */
+  OWNER = 4,
+}
+
+/**
+ * Describes the enum jostle.v1.PlayerRole.
+ */
+export const PlayerRoleSchema: GenEnum<PlayerRole> = /*@__PURE__*/
+  enumDesc(file_jostle_v1_play, 0);
 
 /**
  * Layout of the integers, for viewers that do not know the module.
@@ -2239,7 +2836,7 @@ export enum ChannelForm {
  * Describes the enum jostle.v1.ChannelForm.
  */
 export const ChannelFormSchema: GenEnum<ChannelForm> = /*@__PURE__*/
-  enumDesc(file_jostle_v1_play, 0);
+  enumDesc(file_jostle_v1_play, 1);
 
 /**
  * Connections of the points of a point object.
@@ -2292,7 +2889,97 @@ export enum PointForm {
  * Describes the enum jostle.v1.PointForm.
  */
 export const PointFormSchema: GenEnum<PointForm> = /*@__PURE__*/
-  enumDesc(file_jostle_v1_play, 1);
+  enumDesc(file_jostle_v1_play, 2);
+
+/**
+ * @generated from enum jostle.v1.PlayerEventKind
+ */
+export enum PlayerEventKind {
+  /**
+   * @generated from enum value: PLAYER_EVENT_KIND_UNSPECIFIED = 0;
+   */
+  UNSPECIFIED = 0,
+
+  /**
+   * @generated from enum value: PLAYER_EVENT_KIND_JOINED = 1;
+   */
+  JOINED = 1,
+
+  /**
+   * the attributes of the player end with it
+   *
+   * @generated from enum value: PLAYER_EVENT_KIND_LEFT = 2;
+   */
+  LEFT = 2,
+
+  /**
+   * @generated from enum value: PLAYER_EVENT_KIND_RENAMED = 3;
+   */
+  RENAMED = 3,
+
+  /**
+   * @generated from enum value: PLAYER_EVENT_KIND_ROLE_CHANGED = 4;
+   */
+  ROLE_CHANGED = 4,
+
+  /**
+   * the connection broke; the client may resume
+   *
+   * @generated from enum value: PLAYER_EVENT_KIND_DISCONNECTED = 5;
+   */
+  DISCONNECTED = 5,
+
+  /**
+   * @generated from enum value: PLAYER_EVENT_KIND_RESUMED = 6;
+   */
+  RESUMED = 6,
+}
+
+/**
+ * Describes the enum jostle.v1.PlayerEventKind.
+ */
+export const PlayerEventKindSchema: GenEnum<PlayerEventKind> = /*@__PURE__*/
+  enumDesc(file_jostle_v1_play, 3);
+
+/**
+ * Receivers of an attribute.
+ *
+ * @generated from enum jostle.v1.AttributeVisibility
+ */
+export enum AttributeVisibility {
+  /**
+   * as EVERYONE
+   *
+   * @generated from enum value: ATTRIBUTE_VISIBILITY_UNSPECIFIED = 0;
+   */
+  UNSPECIFIED = 0,
+
+  /**
+   * @generated from enum value: ATTRIBUTE_VISIBILITY_EVERYONE = 1;
+   */
+  EVERYONE = 1,
+
+  /**
+   * The client that owns the entity, the client of the player, or the clients with the role owner for attributes of the
+   * world.
+   *
+   * @generated from enum value: ATTRIBUTE_VISIBILITY_OWNER = 2;
+   */
+  OWNER = 2,
+
+  /**
+   * the clients whose role is in Attribute.roles
+   *
+   * @generated from enum value: ATTRIBUTE_VISIBILITY_ROLES = 3;
+   */
+  ROLES = 3,
+}
+
+/**
+ * Describes the enum jostle.v1.AttributeVisibility.
+ */
+export const AttributeVisibilitySchema: GenEnum<AttributeVisibility> = /*@__PURE__*/
+  enumDesc(file_jostle_v1_play, 4);
 
 /**
  * @generated from enum jostle.v1.InputCode
@@ -2348,7 +3035,7 @@ export enum InputCode {
  * Describes the enum jostle.v1.InputCode.
  */
 export const InputCodeSchema: GenEnum<InputCode> = /*@__PURE__*/
-  enumDesc(file_jostle_v1_play, 2);
+  enumDesc(file_jostle_v1_play, 5);
 
 /**
  * @generated from enum jostle.v1.NoticeCode
@@ -2400,7 +3087,7 @@ export enum NoticeCode {
  * Describes the enum jostle.v1.NoticeCode.
  */
 export const NoticeCodeSchema: GenEnum<NoticeCode> = /*@__PURE__*/
-  enumDesc(file_jostle_v1_play, 3);
+  enumDesc(file_jostle_v1_play, 6);
 
 /**
  * @generated from service jostle.v1.PlayService

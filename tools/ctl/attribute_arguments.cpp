@@ -45,7 +45,7 @@ bool parse_vector(const std::string& text, v1::Attribute& attribute) {
     return true;
 }
 
-std::string number_text(double number) {
+std::string shortest_text(double number) {
     return format_text("%.9g", number);
 }
 
@@ -116,12 +116,12 @@ std::string value_text(const v1::Attribute& attribute) {
         case v1::Attribute::kInteger:
             return std::to_string(attribute.integer());
         case v1::Attribute::kNumber:
-            return number_text(attribute.number());
+            return shortest_text(attribute.number());
         case v1::Attribute::kText:
             return attribute.text();
         case v1::Attribute::kVector:
-            return number_text(attribute.vector().x()) + "," + number_text(attribute.vector().y()) +
-                   "," + number_text(attribute.vector().z());
+            return shortest_text(attribute.vector().x()) + "," + shortest_text(attribute.vector().y()) +
+                   "," + shortest_text(attribute.vector().z());
         case v1::Attribute::VALUE_NOT_SET:
             break;
     }

@@ -49,12 +49,10 @@ COVERED_BY = {
         (["physics/world/stop_stepping_test.cpp"], "a step ends after the sub-step in which it is told to, and leaves a whole world"),
     "world/island_substeps.cpp":
         (["physics/stages/islands/choose_substep_levels_test.cpp", "tools/sim/sim_test.cpp"], "who takes how many sub-steps, with which error"),
-    "constraints/direct/joint_tree_bounds.cpp":
-        (["physics/constraints/direct/joint_tree_test.cpp"], "motors of a vehicle and limits of a chain beside the code for all kinds of joints"),
-    "constraints/direct/joint_tree_energy.cpp":
-        (["physics/constraints/direct/joint_tree_test.cpp"], "a loaded chain beside the code for all kinds of joints"),
+    "constraints/direct/ball_tree_energy.cpp":
+        (["physics/constraints/direct/ball_tree_test.cpp"], "a loaded chain beside the code for all kinds of joints"),
     "constraints/direct/step_tolerances.h":
-        (["physics/constraints/direct/joint_tree_test.cpp", "physics/constraints/direct/direct_group_test.cpp"],
+        (["physics/constraints/direct/ball_tree_test.cpp", "physics/constraints/direct/direct_group_test.cpp"],
          "gaps and energy of chains, linkages and bridges"),
     "constraints/direct/block_pattern.cpp":
         (["physics/constraints/direct/block_ldl_test.cpp"], "against elimination of the dense matrix; a chain costs in proportion to its links"),

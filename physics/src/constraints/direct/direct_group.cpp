@@ -149,37 +149,32 @@ int DirectGroup::most_parts() const {
 
 // Returns false, and leaves the state in the bodies and joints, if the group is none or its step
 // has to be taken in another way.
-bool DirectGroup::step_joint_tree(double h) {
-    if (!joint_tree_ || outside != nullptr) return false;
-    if (!tree_.is_loaded()) tree_.load(bodies, joints, matrix_);
+bool DirectGroup::step_ball_tree(double h) {
+    if (!ball_tree_ || outside != nullptr) return false;
+    if (!balls_.is_loaded()) balls_.load(bodies, joints, matrix_);
     factored_ = false;
-    const bool done = tree_.step(h,
-                                 {.reach = reach_,
-                                  .swing = followed_swing,
-                                  .parts = most_parts(),
-                                  .keeps_energy = smooth_ && time_ > 0,
-                                  .energy = rattle_bounds.gain,
-                                  .energy_gain = energy_step_bounds.gain,
-                                  .coarse = joints.size() >= min_coarse_joints},
-                                 {matrix_, system_blocks_, hubs_, right_side_});
-    const JointTree::Count count = tree_.take_count();
-    count_.tree_steps += count.rattle_steps + count.energy_steps;
+    const bool done = balls_.step(h,
+                                  {.reach = reach_,
+                                   .swing = followed_swing,
+                                   .parts = most_parts(),
+                                   .keeps_energy = smooth_ && time_ > 0,
+                                   .energy = rattle_bounds.gain,
+                                   .energy_gain = energy_step_bounds.gain},
+                                  {matrix_, system_blocks_, right_side_});
+    const BallTree::Count count = balls_.take_count();
     count_.rattle_steps += count.rattle_steps;
     count_.energy_steps += count.energy_steps;
     count_.factors += count.factors;
     count_.solves += count.solves;
-    if (done) {
+    if (done)
         time_ += h;
-        return true;
-    }
-    store_joint_tree();
-    // Energy-momentum steps are next, for the rest of the advance.
-    if (bounded_ || joints.size() < min_coarse_joints) joint_tree_ = false;
-    return false;
+    else
+        store_ball_tree();
+    return done;
 }
 
-void DirectGroup::store_joint_tree() {
-    if (tree_.is_loaded()) tree_.store(bodies, joints);
+void DirectGroup::store_ball_tree() {
+    if (balls_.is_loaded()) balls_.store(bodies, joints);
 }
 
 // After a halving, the rest of the advance starts with halved steps. After a failure at the
@@ -191,7 +186,7 @@ void DirectGroup::step(double h, int depth) {
         step(0.5 * h, depth + 1);
         return;
     }
-    if (step_joint_tree(h)) return;
+    if (step_ball_tree(h)) return;
     save(depth);
     ASSERT(depth <= max_halvings);
     const EnergyBooks books = open_books();
@@ -246,7 +241,7 @@ void DirectGroup::advance(double dt, int substeps) {
             fewer_steps(substeps, joints.size() >= min_coarse_joints ? turn : FreeAxis::never);
     for (int part = 0; part < parts; part++) {
         const double h = dt / parts;
-        store_joint_tree();
+        store_ball_tree();
         save(0);
         if (compose_parts(h)) continue;
         const int steps = static_cast<int>(maximum(1, substeps / parts));
@@ -257,7 +252,7 @@ void DirectGroup::advance(double dt, int substeps) {
         step(dt / substeps, 1);
         if (k % steps_at_halvings == steps_at_halvings - 1 && halvings_ > 0) halvings_--;
     }
-    store_joint_tree();
+    store_ball_tree();
 }
 
 // A composition has five steps, forwards and backwards. It requires that no free axis has damping,

@@ -18,11 +18,11 @@
 #include <limits>
 #include <vector>
 
+#include "physics/src/constraints/direct/ball_tree.h"
 #include "physics/src/constraints/direct/direct_body.h"
 #include "physics/src/constraints/direct/direct_joint.h"
 #include "physics/src/constraints/direct/joint_net.h"
 #include "physics/src/constraints/direct/joint_system_blocks.h"
-#include "physics/src/constraints/direct/joint_tree.h"
 
 namespace jostle::physics {
 
@@ -52,7 +52,6 @@ public:
     struct Count {
         int compositions = 0, rattle_steps = 0, energy_steps = 0, halvings = 0, last_resorts = 0;
         int factors = 0, solves = 0, skipped_rows = 0;
-        int tree_steps = 0;  // of those, in the records of joint_tree.h
     };
 
     // Call after bodies and joints are set. Analyses their pattern unless it is unchanged. Returns
@@ -118,9 +117,9 @@ private:
     // ---- direct_group.cpp ----
     void step(double h, int depth);
     int most_parts() const;  // RATTLE steps in place of one step
-    bool is_joint_tree() const;
-    bool step_joint_tree(double h);
-    void store_joint_tree();
+    bool is_ball_tree() const;
+    bool step_ball_tree(double h);
+    void store_ball_tree();
     int parts_of(double dt, int substeps);
     bool compose(double h);
     bool compose_parts(double h);
@@ -209,14 +208,13 @@ private:
     // In the velocity fallback, which takes several rounds instead.
     static constexpr double proximal = 1e-4;
     static constexpr int proximal_rounds = 3;
-    // Joints of a group whose tolerances are those of contacts, and which takes few steps while it
-    // turns slowly. Smaller groups are exact.
+    // Joints of a group whose tolerances are those of contacts: it takes the steps of ball trees,
+    // and few of them while it turns slowly. Smaller groups are exact.
     static constexpr std::size_t min_coarse_joints = 64;
-    static constexpr std::size_t min_tree_joints = 4;
     // Maximum number of retries of a step after a limit or a motor maximum was reached.
     static constexpr int bound_rounds = 4;
 
-    JointTree tree_;  // takes the steps of a joint tree, and holds its state while it does
+    BallTree balls_;  // takes the steps of a ball tree, and holds its state while it does
     BlockLdl matrix_;
     std::vector<JointSystemBlock> system_blocks_,
         gear_blocks_;  // gear_blocks_: one of the two joints is a gear
@@ -231,22 +229,22 @@ private:
     bool damped_ = false;  // bodies or springs have damping
     bool sprung_ = false;
     bool damped_springs_ = false;
-    bool actuated_ = false;    // by motors or friction
-    bool limited_ = false;     // some free axes have limits
-    bool bounded_ = false;     // limits, actuation or dampers change with the impulses
-    bool locked_ = false;      // bodies have locked axes
-    bool joint_tree_ = false;  // the group is one (joint_tree.h)
-    bool straight_ = false;    // bodies keep their spin instead of their angular momentum
-    bool energy_ = false;      // the current step is an energy-momentum step
-    double spring_rate_ = 0;   // rad/s: upper bound of the spring rates
-    double step_ = 0;          // s: length of the current step, for springs
-    double time_ = 0;          // s since the start of advance()
-    int halvings_ = 0;         // initial number of halvings of a step
-    bool resorting_ = false;   // velocity fallback for the rest of the advance
-    bool looped_ = false;      // some joints close loops
-    bool curved_ = false;      // some joints hold a body on a curve
-    bool net_ = false;         // so many do that it is nearly singular as soon as it bends
-    double reach_ = 0;         // m: characteristic length of the group
+    bool actuated_ = false;   // by motors or friction
+    bool limited_ = false;    // some free axes have limits
+    bool bounded_ = false;    // limits, actuation or dampers change with the impulses
+    bool locked_ = false;     // bodies have locked axes
+    bool ball_tree_ = false;  // the group has ball joints only, and no loop
+    bool straight_ = false;   // bodies keep their spin instead of their angular momentum
+    bool energy_ = false;     // the current step is an energy-momentum step
+    double spring_rate_ = 0;  // rad/s: upper bound of the spring rates
+    double step_ = 0;         // s: length of the current step, for springs
+    double time_ = 0;         // s since the start of advance()
+    int halvings_ = 0;        // initial number of halvings of a step
+    bool resorting_ = false;  // velocity fallback for the rest of the advance
+    bool looped_ = false;     // some joints close loops
+    bool curved_ = false;     // some joints hold a body on a curve
+    bool net_ = false;        // so many do that it is nearly singular as soon as it bends
+    double reach_ = 0;        // m: characteristic length of the group
     Count count_;
 };
 

@@ -36,12 +36,6 @@ struct DirectJoint {
     bool is_gear() const { return kind == Points::gear; }
     // Whether its point is all that it holds.
     bool is_ball_alone() const { return is_ball() && count == 3; }
-    // Whether it is a hinge, and nothing but limits and actuation acts along its axis.
-    bool is_plain_hinge() const {
-        return is_ball() && turns == 2 && turn_a[0] == turn_a[1] && free_axes.size() <= 1 &&
-               (free_axes.empty() || (free_axes[0].kind == FreeAxis::Kind::hinge &&
-                                      free_axes[0].rate == 0 && free_axes[0].x_b == turn_b[0]));
-    }
     // Whether a row's error is in metres; otherwise it is in radians.
     bool is_linear(int row) const {
         return row < points ||

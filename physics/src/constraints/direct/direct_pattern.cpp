@@ -104,16 +104,15 @@ bool DirectGroup::prepare(std::int64_t max_work) {
         if (!find_pattern(max_work)) return false;
         pattern_ = std::move(pattern);
     }
-    joint_tree_ = is_joint_tree();
+    ball_tree_ = is_ball_tree();
     return matrix_.work() <= max_work;
 }
 
-bool DirectGroup::is_joint_tree() const {
-    return joints.size() >= min_tree_joints && !looped_ && !net_ && !locked_ && !sprung_ &&
+bool DirectGroup::is_ball_tree() const {
+    return joints.size() >= min_coarse_joints && !looped_ && !net_ && !locked_ &&
+           hubs_.hubs.empty() &&
            std::all_of(joints.begin(), joints.end(),
-                       [](const DirectJoint& joint) {
-                           return joint.is_ball_alone() || joint.is_plain_hinge();
-                       }) &&
+                       [](const DirectJoint& joint) { return joint.is_ball_alone(); }) &&
            std::all_of(bodies.begin(), bodies.end(), [](const DirectBody& body) {
                return body.pushed || (body.v == Vec3{} && body.w == Vec3{});
            });

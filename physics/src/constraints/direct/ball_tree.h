@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The steps of a group (direct_group.h) of ball joints and hinges without springs, as in chains,
-// trees and vehicles, in which no joint closes a loop. They solve the same equations as
-// rattle_step.cpp and energy_step.cpp, in records of less than half the size and with half the
-// passes over them. Small groups, and those with limits, motors or friction, take RATTLE steps
-// only. A step that fails leaves its start, and the group takes it in its own ways.
+// The steps of a group (direct_group.h) in which every joint holds a point and nothing else, as in
+// chains and ropes, and no joint closes a loop. They solve the same equations as rattle_step.cpp
+// and energy_step.cpp, in records of less than half the size and with half the passes over them.
+// A step that fails leaves its start, and the group takes it in its own ways.
 #pragma once
 
 #include <cstdint>
@@ -18,13 +17,12 @@
 
 namespace jostle::physics {
 
-class JointTree {
+class BallTree {
 public:
     // The matrix of the group: its pattern, and memory for its values and unknowns.
     struct System {
         BlockLdl& matrix;
         std::span<const JointSystemBlock> blocks;
-        const JointHubs& hubs;
         std::span<double> unknowns;
 
         Vec3 get(int row) const {
@@ -35,8 +33,6 @@ public:
             double* const at = &unknowns[as_index(row)];
             at[0] = to.x, at[1] = to.y, at[2] = to.z;
         }
-        // Of a hinge: its unknowns besides those of its point.
-        double* turns(int row) { return &unknowns[as_index(row) + 3]; }
     };
     struct Limits {
         double reach;        // m: characteristic length of the group
@@ -45,7 +41,6 @@ public:
         bool keeps_energy;   // nothing takes energy on purpose
         double energy;       // relative change of the energy in RATTLE steps
         double energy_gain;  // in an energy-momentum step
-        bool coarse;         // the errors of its corrections may be those of contacts
     };
     struct Count {
         int rattle_steps = 0, energy_steps = 0, factors = 0, solves = 0;
@@ -67,8 +62,6 @@ public:
 private:
     // An error below this multiple of the tolerance is accepted if it does not shrink further.
     static constexpr double accepted_errors = 30;
-    // Maximum number of retries of a step after a limit or a motor maximum was reached.
-    static constexpr int bound_rounds = 4;
 
     struct Body {
         // Constant.
@@ -93,31 +86,12 @@ private:
     };
     struct Joint {
         int a, b, row;          // row: of its first unknown
-        int hinge;              // index into hinges_; -1: none
         Vec3 arm_a, arm_b;      // constant, principal axes
         Vec3 at_a, at_b;        // the arms in the world
         Vec3 lever_a, lever_b;  // to the middle of the gap
         Vec3 end_a, end_b;      // the arms at the end of the attempt
         Vec3 apart;             // at that end
         Vec3 impulse, force, force_sum;
-    };
-    // The rows of a hinge besides its point. Two keep its axis, fixed in a, perpendicular to two
-    // directions of b. The third one, if something acts along its free axis, turns about the axis.
-    struct Hinge {
-        int axis, count;               // index into axes_, -1: none; number of rows
-        Vec3 axis_a, across_b[2];      // constant, principal axes
-        Vec3 at_axis, at_across[2];    // in the world
-        Vec3 end_axis, end_across[2];  // at the end of the attempt
-        Vec3 rows[3];                  // along which the multipliers turn b, and turn a back
-        double error[3];               // rad, at the end of the attempt
-        double impulse[3], force[3];   // N m s; half of the torque, N m
-        Vec3 torque_sum;
-    };
-    struct Axis {
-        FreeAxis free;
-        int joint;
-        bool off;
-        double target;  // rad: error of the limit to be left over
     };
     struct Saved {
         Vec3 x, p, l;
@@ -126,24 +100,11 @@ private:
     struct SavedJoint {
         Vec3 force, force_sum;
     };
-    struct SavedHinge {
-        double force[3];
-        Vec3 torque_sum;
-    };
-    struct SavedAxis {
-        int at_limit, actuation;
-    };
-    // The vectors of a joint's rows at one of its bodies, with the sign of their effect on it.
-    struct End {
-        Vec3 lever, turns[3];
-        int rows;
-    };
     struct Books {
         double kinetic = 0, total = 0;  // J
         double power = 0;               // W: half of the power of the torques
     };
 
-    void load_hinge(const DirectJoint& from, int joint);
     void save();
     void restore();
 
@@ -156,50 +117,15 @@ private:
 
     // ---- common to both kinds of steps ----
     void assemble(System& system, double linear, SymmetricMat3 Body::*response);
-    void assemble_hubs(System& system, double linear, SymmetricMat3 Body::*response);
-    End end_at(const Joint& joint, bool of_b) const;
-    static Vec3 torque_of(const Hinge& hinge, const double* impulse) {
-        const Vec3 turn = hinge.rows[0] * impulse[0] + hinge.rows[1] * impulse[1];
-        return hinge.axis < 0 ? turn : turn + hinge.rows[2] * impulse[2];
-    }
-    static void add_body_block(const SymmetricMat3& response, const End& later, const End& sooner,
-                               double mass, double* block);
     void factor_here(System& system);  // at the current state, unless already factored
     void solve(System& system);
     void damp(Body& body, double time);
     void push(const Joint& joint, Vec3 impulse);
-    void push_turns(const Joint& joint, const double* impulse);
-    double measure(Joint& joint, double largest, double h);
-    double measure_turns(const Joint& joint, double largest, double h);
-    void kick(Body& body, double h);
+    double measure(Joint& joint, double largest);
     void commit(Body& body);
-    void commit(Hinge& hinge);
     // The joint forces: the impulses of the step, or those of the projection, over time.
     enum class Forces : std::uint8_t { of_step, of_projection };
-    void begin_commit();
-    void commit(Joint& joint, double h, Forces forces);
-    void end_commit();
-    void set_rate(const Joint& joint, System& system);
-    void measure_spins();
     void project_velocities(System& system, double h, Forces forces, bool last);
-
-    // ---- joint_tree_bounds.cpp (direct_bounds.cpp) ----
-    double angle_of(const Axis& axis) const;  // at the end of the attempt
-    double axis_error(const Axis& axis, double h) const;
-    double angle_error() const;  // beyond limits, at the start of the step, rad
-    double work_of_axes() const;
-    void turn(Axis& axis, Vec3 row, double impulse);
-    void set_row(Axis& axis);
-    void set_bounds(double h);
-    void set_targets(double h);
-    bool reach_limits(double h, double time);
-    enum class Level : std::uint8_t { positions, velocities };
-    bool enforce_bounds(Axis& axis, double value, double scale, double time, Level level);
-    bool change_bounds(double h);  // after an attempt, which it takes back if it changes something
-    void set_axis_forces(const System& system, double h);
-    bool enforce_at_velocities(double h);
-    void push_axes(double h);
-    double error_of_holding() const;
 
     // ---- RATTLE ----
     bool step_rattle(System& system, double h, double tolerance, bool last);
@@ -207,26 +133,19 @@ private:
     double drift(double h);
 
     // ---- ball_tree_energy.cpp ----
-    bool step_energy(System& system, double h, double tolerance, const Limits& limits);
+    bool step_energy(System& system, double h, double tolerance, double reach);
     void begin_energy_step(double h);
     double residual_of(double h, bool stiffness_too);
     void correct(System& system, double h, bool again);
 
     std::vector<Body> bodies_;
     std::vector<Joint> joints_;
-    std::vector<Hinge> hinges_;
-    std::vector<Axis> axes_;
-    std::vector<Vec3> guess_;  // momenta before the joint impulses, if there are axes
     std::vector<Saved> saved_;
     std::vector<SavedJoint> saved_joints_;
-    std::vector<SavedHinge> saved_hinges_;
-    std::vector<SavedAxis> saved_axes_;
     Books books_;
     double stiffest_ = 0;   // rad/s: upper bound of the oscillation rates at the current state
     double gap_ = 0;        // m, at the current state
     double start_gap_ = 0;  // m, at the start of the step
-    double turned_ = 0;     // rad: largest error of a hinge's axis, at the current state
-    double reach_ = 1;      // m: Limits::reach, which scales angles
     // Of all bodies: sum of force^2 / mass, of the weights, and of the masses.
     double push_ = 0, weight_ = 0, mass_ = 0;
     // Most bodies have the same damping.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// The energy-momentum step (energy_step.cpp) of a tree of ball joints and hinges.
+// The energy-momentum step (energy_step.cpp) of a tree of ball joints.
 #include "jostle/base/check.h"
+#include "physics/src/constraints/direct/ball_tree.h"
 #include "physics/src/constraints/direct/free_turn.h"
-#include "physics/src/constraints/direct/joint_tree.h"
 
 namespace jostle::physics {
 namespace {
@@ -16,12 +16,10 @@ constexpr double slow_correction = 0.35;
 // step itself, as in W. E. Milne's device ("Numerical solution of differential equations", 1953),
 // but at most `left_most` metres in a group of links of 0.5 m.
 constexpr double left_share = 0.1, left_most = 1e-4;
-// In groups that are exact.
-constexpr double exact_share = 0.02, exact_most = 5e-6;
 
 }  // namespace
 
-void JointTree::begin_energy_step(double h) {
+void BallTree::begin_energy_step(double h) {
     for (Body& body : bodies_) {
         const Mat3 axes = to_matrix(body.q);
         if (damped_) damp(body, 0.5 * h);
@@ -38,12 +36,6 @@ void JointTree::begin_energy_step(double h) {
         a.twist += cross(joint.impulse, joint.lever_a);
         b.sum += joint.impulse;
         b.twist += cross(joint.lever_b, joint.impulse);
-        if (joint.hinge < 0) continue;
-        Hinge& hinge = hinges_[as_index(joint.hinge)];
-        for (int row = 0; row < 2; row++) hinge.impulse[row] = hinge.force[row] * (2 * h);
-        const Vec3 turn = torque_of(hinge, hinge.impulse);
-        a.twist -= turn;
-        b.twist += turn;
     }
     for (Body& body : bodies_)
         body.mean_w =
@@ -51,7 +43,7 @@ void JointTree::begin_energy_step(double h) {
 }
 
 // Computes the state that the unknowns lead to and returns its error, m.
-double JointTree::residual_of(double h, bool stiffness_too) {
+double BallTree::residual_of(double h, bool stiffness_too) {
     for (Body& body : bodies_) {
         const Vec3 t = body.mean_w * (0.5 * h);
         const double s = 1 / square_root(1 + dot(t, t));
@@ -63,7 +55,7 @@ double JointTree::residual_of(double h, bool stiffness_too) {
     }
     double apart = 0;
     for (Joint& joint : joints_) {
-        apart = measure(joint, apart, h);
+        apart = measure(joint, apart);
         Body &a = bodies_[as_index(joint.a)], &b = bodies_[as_index(joint.b)];
         // To the middle of the mean gap that closes by the end: the gap of the attempt would change
         // the torque by a product of two unknowns, and Newton's method would need another round.
@@ -73,14 +65,6 @@ double JointTree::residual_of(double h, bool stiffness_too) {
         a.twist += cross(joint.impulse, joint.lever_a);
         b.twist += cross(joint.lever_b, joint.impulse);
         if (stiffness_too) add_stiffness(joint, joint.impulse, joint.end_a, joint.end_b);
-        if (joint.hinge < 0) continue;
-        Hinge& hinge = hinges_[as_index(joint.hinge)];
-        const Vec3 axis = (hinge.at_axis + hinge.end_axis) * 0.5;
-        for (int row = 0; row < 2; row++)
-            hinge.rows[row] = cross((hinge.at_across[row] + hinge.end_across[row]) * 0.5, axis);
-        const Vec3 turn = torque_of(hinge, hinge.impulse);
-        a.twist -= turn;
-        b.twist += turn;
     }
     double largest = 0;
     for (Body& body : bodies_) {
@@ -95,7 +79,7 @@ double JointTree::residual_of(double h, bool stiffness_too) {
     return apart <= largest ? largest : apart;
 }
 
-void JointTree::correct(System& system, double h, bool again) {
+void BallTree::correct(System& system, double h, bool again) {
     if (again) {
         for (Body& body : bodies_)
             if (body.inverse_mass == 0) body.response = {};
@@ -114,12 +98,6 @@ void JointTree::correct(System& system, double h, bool again) {
         const Body &a = bodies_[as_index(joint.a)], &b = bodies_[as_index(joint.b)];
         system.set(joint.row, joint.apart * rate - (cross(joint.lever_a, a.spin_correction) +
                                                     cross(b.spin_correction, joint.lever_b)));
-        if (joint.hinge < 0) continue;
-        const Hinge& hinge = hinges_[as_index(joint.hinge)];
-        double* const turns = system.turns(joint.row);
-        for (int row = 0; row < 2; row++)
-            turns[row] = hinge.error[row] * rate +
-                         dot(hinge.rows[row], a.spin_correction - b.spin_correction);
     }
     solve(system);
     for (Joint& joint : joints_) {
@@ -130,30 +108,20 @@ void JointTree::correct(System& system, double h, bool again) {
         a.residual += cross(more, joint.lever_a);
         b.sum += more;
         b.residual += cross(joint.lever_b, more);
-        if (joint.hinge < 0) continue;
-        Hinge& hinge = hinges_[as_index(joint.hinge)];
-        const double* const turns = system.turns(joint.row);
-        for (int row = 0; row < 2; row++) hinge.impulse[row] += turns[row];
-        const Vec3 turn = torque_of(hinge, turns);
-        a.residual -= turn;
-        b.residual += turn;
     }
     for (Body& body : bodies_) body.mean_w += body.response * body.residual;
 }
 
-bool JointTree::step_energy(System& system, double h, double tolerance, const Limits& limits) {
+bool BallTree::step_energy(System& system, double h, double tolerance, double reach) {
     count_.energy_steps++;
     begin_energy_step(h);
     double last_error = 1e300, enough = tolerance;
     bool slow = false;
     for (int round = 0;; round++) {
         const double error = residual_of(h, round == 0 || slow);
-        if (round == 0) {
-            const double left = limits.coarse ? minimum(left_share * error,
-                                                        left_most * minimum(1, 2 * limits.reach))
-                                              : minimum(exact_share * error, exact_most);
-            enough = maximum(tolerance, left);
-        }
+        if (round == 0)
+            enough =
+                maximum(tolerance, minimum(left_share * error, left_most * minimum(1, 2 * reach)));
         if (error < enough) break;
         if (round == max_energy_rounds || !(error < 1e6)) {
             if (!(error < accepted_errors * tolerance)) return false;

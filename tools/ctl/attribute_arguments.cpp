@@ -120,8 +120,9 @@ std::string value_text(const v1::Attribute& attribute) {
         case v1::Attribute::kText:
             return attribute.text();
         case v1::Attribute::kVector:
-            return shortest_text(attribute.vector().x()) + "," + shortest_text(attribute.vector().y()) +
-                   "," + shortest_text(attribute.vector().z());
+            return shortest_text(attribute.vector().x()) + "," +
+                   shortest_text(attribute.vector().y()) + "," +
+                   shortest_text(attribute.vector().z());
         case v1::Attribute::VALUE_NOT_SET:
             break;
     }

@@ -181,7 +181,8 @@ TEST(JournalCodec, players_attributes_and_messages_need_version_6) {
         .paused_ticks = {}};
     const std::string bytes = encode_journal(written);
     EXPECT_EQ(bytes[0], 6);
-    const auto& commands = decode_journal(bytes).value().ticks.at(0).commands;
+    const JournalSegment read_segment = decode_journal(bytes).value();
+    const auto& commands = read_segment.ticks.at(0).commands;
     const auto& join = std::get<JoinCommand>(*commands.at(0).action);
     EXPECT_EQ(join.name + std::to_string(*join.color), "ann16711680");
     EXPECT_EQ(join.role, PlayerRole::builder);

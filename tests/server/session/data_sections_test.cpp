@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+
 #include "jostle/client/world_data.h"
 #include "tests/server/session/session_harness.h"
 #include "tests/support/small_scene.h"
@@ -60,9 +62,15 @@ protected:
             texts.push_back(message.data());
         return texts;
     }
+    // By sequence: refusals of a rate precede the results of earlier inputs.
+    static std::vector<v1::InputResult> results(SessionHarness& client) {
+        std::vector<v1::InputResult> results = client.conversation.take_results();
+        std::ranges::sort(results, {}, &v1::InputResult::sequence);
+        return results;
+    }
     std::vector<std::string> codes(SessionHarness& client) {
         std::vector<std::string> codes;
-        for (const v1::InputResult& result : client.conversation.take_results())
+        for (const v1::InputResult& result : results(client))
             codes.push_back(v1::InputCode_Name(result.code()) + " " + result.message());
         return codes;
     }
@@ -230,7 +238,7 @@ TEST_F(DataSectionsTest, rates_are_limited_with_the_time_to_retry) {
     run({&ann});
     for (int k = 0; k < 12; k++) ann.conversation.send(message_input("chat", "x"));
     run({&ann});
-    const std::vector<v1::InputResult> results = ann.conversation.take_results();
+    const std::vector<v1::InputResult> results = this->results(ann);
     ASSERT_EQ(results.size(), 12u);
     EXPECT_EQ(results[9].code(), v1::INPUT_CODE_APPLIED);
     EXPECT_EQ(results[10].code(), v1::INPUT_CODE_LIMIT);

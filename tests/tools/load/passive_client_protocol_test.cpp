@@ -6,6 +6,7 @@
 #include <random>
 
 #include "tests/tools/load/framing_bytes.h"
+#include "tools/load/data_traffic.h"
 
 namespace jostle::load {
 namespace {

@@ -44,7 +44,7 @@ struct RayHit {
     Point normal{};  ///< unit, pointing out of the shape
 };
 
-/// What overlaps a shape or contains a point.
+/// The objects that overlap a shape or contain a point.
 struct Overlaps {
     std::vector<std::uint32_t> entities;  ///< ascending
     std::vector<std::uint32_t> objects;   ///< ropes and cloths (PointObject.id), ascending

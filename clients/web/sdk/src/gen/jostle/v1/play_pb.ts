@@ -543,8 +543,9 @@ export type Aim = Message<"jostle.v1.Aim"> & {
    * Lag compensation: the view time at which the client rendered the world. The server casts the ray against the
    * poses of that time with the current shapes, and against the ropes and cloths of that time (the current ones if no
    * client subscribes to their channels). Entities that spawned later or are gone cannot be hit. The input then acts on
-   * the hit entity at its current pose, at the same point of the body. A view time older than the stored frames (tick.lag_compensation_ms_max in the server's settings) is clamped
-   * to the oldest frame, and the result has `view_time_clamped`.
+   * the hit entity at its current pose, at the same point of the body. A view time older than the stored frames
+   * (tick.lag_compensation_ms_max in the server's settings) is clamped to the oldest frame, and the result has
+   * `view_time_clamped`.
    *
    * absent: the world as it is when the input is applied
    *

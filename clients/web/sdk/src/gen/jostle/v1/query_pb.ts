@@ -59,8 +59,8 @@ export type QueryFilter = Message<"jostle.v1.QueryFilter"> & {
   ignore: number;
 
   /**
-   * Also find ropes, hair and cloth: point objects of the forms STRANDS, GRID and TRIANGLES. Their points are rounded to
-   * PointObject.step_um; links have the radius of the object, cloth is a surface without a thickness.
+   * Also find ropes, hair and cloth: point objects of the forms STRANDS, GRID and TRIANGLES. Their points are rounded
+   * to PointObject.step_um; links have the radius of the object, cloth is a surface without a thickness.
    *
    * @generated from field: bool include_deformables = 4;
    */

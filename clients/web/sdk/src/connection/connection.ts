@@ -204,6 +204,7 @@ export class Connection {
   private lastNotice: Notice | undefined;
   private predictionListener: PredictionListener | undefined;
   private lastBatch = 0;
+  private sendsSoon = false;
 
   readonly url: string;
   private readonly listener: ConnectionListener;
@@ -285,6 +286,17 @@ export class Connection {
     this.predictionListener?.input(this.inputs.newest, tick, input);
     // Waiting for the next batch would need a larger input lead. Several inputs of one tick share a batch.
     if (tick > 0 && now - this.lastBatch >= this.inputClock.halfTickUs) this.sendInputs(now);
+    else if (tick === 0) this.sendSoon(now);
+  }
+
+  /** Sends the inputs of this task at once, unless the last batch was sent a short time ago. */
+  private sendSoon(now: number): void {
+    if (this.sendsSoon || now - this.lastBatch < BATCH_MS * 1000) return;
+    this.sendsSoon = true;
+    queueMicrotask(() => {
+      this.sendsSoon = false;
+      if (this.state === 'playing' && this.inputs.length > 0) this.sendInputs(nowUs());
+    });
   }
 
   /** Computes the positions of the point objects at the rendered time, on the server's clock. */
@@ -609,8 +621,8 @@ export class Connection {
       this.lastPing = now;
       this.sendMessage({ case: 'ping', value: { clientTimeUs: BigInt(Math.round(now)) } });
     }
-    if (this.inputs.length > 0) this.sendInputs(now);
-    else this.sendAckIfDue();
+    if (this.inputs.length === 0) this.sendAckIfDue();
+    else if (now - this.lastBatch >= BATCH_MS * 500) this.sendInputs(now);
   }
 
   private sendInputs(now: number): void {

@@ -11,6 +11,7 @@
 #include "jostle/scenes/shape_message.h"
 #include "jostle/v1/play.pb.h"
 #include "server/limits/admission.h"
+#include "server/messages/attribute_message.h"
 #include "server/messages/message_parts.h"
 #include "server/messages/room_message.h"
 
@@ -104,6 +105,19 @@ Result<Action> action_of(const v1::ControlInput& control) {
     return Action{command};
 }
 
+Result<Action> action_of(const v1::SetAttributesInput& input) {
+    Result<SetAttributesCommand> command = to_attribute_changes(input.set(), "set_attributes.set.");
+    if (!command.ok()) return command.error();
+    return Action{*std::move(command)};
+}
+
+Action action_of(const v1::SendMessageInput& input) {
+    return SendMessageCommand{.topic = input.topic(),
+                              .data = input.data(),
+                              .to = {input.to().begin(), input.to().end()},
+                              .to_server = input.to_server()};
+}
+
 Result<Action> action_of(const v1::Input& input) {
     switch (input.kind_case()) {
         case v1::Input::kSpawn:
@@ -132,6 +146,12 @@ Result<Action> action_of(const v1::Input& input) {
             return Action{PossessCommand{input.possess().entity()}};
         case v1::Input::kControl:
             return action_of(input.control());
+        case v1::Input::kSetAttributes:
+            return action_of(input.set_attributes());
+        case v1::Input::kSendMessage:
+            return action_of(input.send_message());
+        case v1::Input::kRename:
+            return Action{RenameCommand{input.rename().name()}};
         case v1::Input::kRoom: {
             Result<RoomCommand> command = room_command_from_message(input.room());
             if (!command.ok()) return command.error();
@@ -159,6 +179,19 @@ Result<Interest> decode(const v1::Interest& interest) {
     Interest decoded{.x_m = focus.x, .z_m = focus.z};
     if (interest.radius() != 0) decoded.radius_m = interest.radius();
     return decoded;
+}
+
+Status check_topics(const v1::Hello& hello) {
+    if (hello.topics_size() > hello_topics_max)
+        return invalid_argument(fmt::format("hello.topics has {} entries; at most {} are allowed",
+                                            hello.topics_size(), hello_topics_max));
+    for (int k = 0; k < hello.topics_size(); k++)
+        if (hello.topics(k) != "*" && !is_key(hello.topics(k)))
+            return invalid_argument(
+                fmt::format("hello.topics[{}] is invalid; it must be \"*\" or 1 to 32 of the "
+                            "characters a-z, 0-9, '_' and '.'",
+                            k));
+    return {};
 }
 
 Result<ClientMessage> decode(const v1::Hello& hello) {
@@ -196,7 +229,11 @@ Result<ClientMessage> decode(const v1::Hello& hello) {
                         hello.resume().token().size(), resume_token_bytes_max));
     }
     std::optional<Hello::Resume> resume;
-    if (hello.has_resume()) resume = {hello.resume().token(), hello.resume().frame()};
+    if (hello.has_resume())
+        resume = {hello.resume().token(), hello.resume().frame(), hello.resume().message()};
+    if (Status s = check_topics(hello); !s.ok()) return s.error();
+    std::optional<std::uint32_t> color;
+    if (hello.has_color()) color = hello.color() & 0xffffff;
     return ClientMessage{Hello{.protocol = hello.protocol(),
                                .world = hello.world(),
                                .ticket = hello.ticket(),
@@ -214,6 +251,10 @@ Result<ClientMessage> decode(const v1::Hello& hello) {
                                .datagrams = hello.datagrams(),
                                .resumable = hello.resumable(),
                                .resume = std::move(resume),
+                               .players = hello.players(),
+                               .attributes = hello.attributes(),
+                               .topics = {hello.topics().begin(), hello.topics().end()},
+                               .color = color,
                                .join_code = hello.join_code()}};
 }
 

@@ -376,7 +376,7 @@ private:
         return std::holds_alternative<ReleaseCommand>(action) ||
                std::holds_alternative<LeaveCommand>(action) ||
                std::holds_alternative<DisconnectCommand>(action) ||
-               (possess && possess->entity == 0);
+               std::holds_alternative<JoinCommand>(action) || (possess && possess->entity == 0);
     }
 
     WorldStorage& storage_;

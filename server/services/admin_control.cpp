@@ -8,6 +8,7 @@
 #include "jostle/v1/admin.pb.h"
 #include "server/limits/admission.h"
 #include "server/messages/room_message.h"
+#include "server/services/find_world.h"
 #include "server/services/world_list.h"
 #include "server/util/log.h"
 #include "server/util/text.h"
@@ -22,16 +23,6 @@ constexpr double ban_seconds_max = 10 * 365.0 * 86400;
 constexpr std::uint32_t steps_max = 1000;
 // Added to the time that the steps take at the world's rate.
 constexpr double step_timeout_s = 2;
-
-// An operator must name the world: defaulting to the first one would be dangerous.
-Result<std::shared_ptr<WorldHost>> find_world(const PlayContext& context, const std::string& name) {
-    if (name.empty()) return invalid_argument("name the world; ListWorlds lists them");
-    std::shared_ptr<WorldHost> world = context.worlds.find(name);
-    if (!world)
-        return Error{ErrorCode::not_found,
-                     fmt::format("there is no world \"{}\"; ListWorlds lists them", name)};
-    return world;
-}
 
 Status check_reason(const std::string& reason) {
     if (reason.size() <= reason_bytes_max) return {};

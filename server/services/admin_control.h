@@ -11,6 +11,7 @@
 #include "jostle/base/result.h"
 #include "server/services/backup_download.h"
 #include "server/services/export_download.h"
+#include "server/services/world_data_control.h"
 #include "server/session/play_context.h"
 
 namespace jostle::v1 {
@@ -60,7 +61,10 @@ public:
     static constexpr double profile_seconds_max = 30;
     static constexpr double undo_seconds_max = 3600;
 
-    explicit AdminControl(PlayContext& context) : context_(context) {}
+    explicit AdminControl(PlayContext& context) : context_(context), data_(context) {}
+
+    // Players, attributes and user messages.
+    WorldDataControl& data() { return data_; }
 
     Authorizer& authorizer() const { return context_.authorizer; }
     // The world of a request, for authorization; null: no such world.
@@ -106,6 +110,7 @@ private:
     Status write_export(ExportedScene exported, v1::ExportWorldResponse& response) const;
     PlayContext& context_;
     const Clock::time_point started_ = Clock::now();
+    WorldDataControl data_;
     std::atomic<int> waiting_{0};
     BackupDownload backup_download_;
     ExportDownload export_download_;

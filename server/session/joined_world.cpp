@@ -135,6 +135,12 @@ void JoinedWorld::enter(const Hello& hello, DisconnectedClient* lost, Clock::tim
         host().mailbox().enter(
             client_, room_entry(parts_.resume.who(), parts_.peer.address, hello.spectator));
     const FramePtr frame = snapshots_.on_enter();
+    host().mailbox().join(client_, {.name = has_control_character(hello.name)
+                                                ? printable(hello.name, player_name_bytes_max)
+                                                : hello.name,
+                                    .role = initial_role(hello.spectator),
+                                    .color = hello.color});
+    if (lost) snapshots_.resume_messages(lost->messages_at_entry, hello.resume->message);
     const auto removed =
         lost ? resume(*lost, hello.resume->frame, *frame->entity_list) : std::nullopt;
     Welcome message = welcome(*frame, now);

@@ -33,6 +33,13 @@ SnapshotSections::SnapshotSections(const Sources& sources, const Hello& hello)
         points_ = add<PointsSection>(points, sources.broadcast, cells_ ? &cells_->view() : nullptr);
     add<StatsSection>(sources.context.config.stream, sources.context.sessions, sources.broadcast);
     if (hello.events) events_ = add<EventsSection>(sources.broadcast);
+    if (hello.players)
+        players_ = add<PlayersSection>(sources.broadcast, sources.context.connected_clients);
+    if (hello.attributes)
+        attributes_ = add<AttributesSection>(sources.broadcast, sources.client,
+                                             initial_role(hello.spectator));
+    if (!hello.topics.empty())
+        messages_ = add<MessagesSection>(sources.broadcast, sources.client, hello.topics);
     if (predicts) add<ControlledEntitySection>(sources.client, host.hz());
     optional_.shrink_to_fit();
 }

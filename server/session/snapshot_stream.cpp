@@ -54,6 +54,9 @@ FramePtr SnapshotStream::on_enter() {
     FramePtr frame = host.frame();
     events_at_entry_ = frame->events->count;
     if (EventsSection* const events = sections_.events()) events->set_cursor(events_at_entry_);
+    messages_at_entry_ = frame->messages->count;
+    if (MessagesSection* const messages = sections_.messages())
+        messages->set_cursor(messages_at_entry_);
     return frame;
 }
 
@@ -196,6 +199,8 @@ void SnapshotStream::on_ack(const Ack& ack, Clock::time_point now) {
     if (datagrams_) datagrams_->frames().reset();
     if (sections_.cells()) sections_.cells()->reset();
     if (sections_.points()) sections_.points()->reset();
+    if (sections_.players()) sections_.players()->send_complete();
+    if (sections_.attributes()) sections_.attributes()->send_complete();
 }
 
 Status SnapshotStream::set_interest(const Interest& interest) {
@@ -250,6 +255,16 @@ void SnapshotStream::suspend(DisconnectedClient& client) {
     client.sent_geometry = entities_.take_geometry();
     client.channel_kinds = sections_.channel_kinds();
     client.precision = poses().precision();
+    client.messages_at_entry = messages_at_entry_;
+}
+
+// A client of an earlier process that names no message continues with the next one.
+void SnapshotStream::resume_messages(std::optional<std::uint32_t> first,
+                                     std::uint32_t last_received) {
+    const std::uint32_t count = messages_at_entry_;
+    messages_at_entry_ = std::min(first.value_or(last_received == 0 ? count : 0), count);
+    if (MessagesSection* const messages = sections_.messages())
+        messages->set_cursor(std::clamp(last_received, messages_at_entry_, count));
 }
 
 bool SnapshotStream::resume(DisconnectedClient& lost, SentLog::Known& known, std::uint32_t frame) {

@@ -2,6 +2,7 @@
 #include "server/world/hosted_world.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -12,16 +13,6 @@
 namespace jostle::server {
 
 using namespace physics;
-
-namespace {
-
-// A session sends it, so it has no sequence number.
-bool is_entry(const Action& action) {
-    const auto* const command = std::get_if<RoomCommand>(&action);
-    return command && std::holds_alternative<EnterRoom>(command->kind);
-}
-
-}  // namespace
 
 Result<HostedWorld> HostedWorld::create(const scenes::SceneDescription& scene,
                                         const HostLimits& limits, int threads) {
@@ -67,6 +58,20 @@ Result<HostedWorld> HostedWorld::restore(World world, const SavedHostState& host
     state.ownership.restore(host_state);
     state.grabs.restore(host_state);
     state.controllers.restore(host_state);
+    state.players.restore(host_state);
+    for (const SavedHostState::SavedAttribute& saved : host_state.attributes) {
+        const auto& [kind, id] = saved.target;
+        const bool exists = kind == AttributeTargetKind::entity ? state.entities.find(id) != nullptr
+                            : kind == AttributeTargetKind::player
+                                ? state.players.find(id) != nullptr
+                                : id == 0;
+        if (!exists)
+            return Error{ErrorCode::corrupt_data, "corrupt host state: attribute \"" + saved.key +
+                                                      "\" of " + describe(saved.target) +
+                                                      ", which does not exist"};
+    }
+    if (Status s = state.attributes.restore(host_state); !s.ok()) return s.error();
+    state.messages.set_count(host_state.messages);
     for (const SavedHostState::ProcessedInput& input : host_state.processed)
         hosted.last_sequences_[input.client] = input.sequence;
     hosted.quarantined_.insert(host_state.quarantined.begin(), host_state.quarantined.end());
@@ -89,6 +94,9 @@ SavedHostState HostedWorld::host_state(std::uint32_t tick) const {
     state_.ownership.write(host_state);
     state_.grabs.write(host_state);
     state_.controllers.write(host_state);
+    state_.players.write(host_state);
+    state_.attributes.write(host_state);
+    host_state.messages = state_.messages.count();
     for (const auto& [client, sequence] : last_sequences_)
         host_state.processed.push_back({client, sequence});
     if (room_) host_state.room = room_->state();
@@ -112,6 +120,16 @@ void HostedWorld::continue_from(const HostedWorld& later) {
     if (later.room_) set_room(later.room_->state());
     last_sequences_ = later.last_sequences_;
     state_.entities.skip_ids_of(later.state_.entities);
+    state_.messages.set_count(std::max(state_.messages.count(), later.state_.messages.count()));
+}
+
+std::uint64_t HostedWorld::data_hash() const {
+    SavedHostState data;
+    state_.players.write(data);
+    state_.attributes.write(data);
+    data.messages = state_.messages.count();
+    if (room_) data.room = room_->state();
+    return server::data_hash(data);
 }
 
 void HostedWorld::release_all_clients() {
@@ -145,9 +163,8 @@ Status HostedWorld::accept_sequence(ClientId client, std::uint32_t sequence) {
 InputResult HostedWorld::apply(const Command& command, std::uint32_t tick) {
     InputResult result{.sequence = command.sequence, .tick = tick};
     const bool is_leave = std::holds_alternative<LeaveCommand>(command.action);
-    const bool has_sequence = !is_leave && !is_entry(command.action) &&
-                              !std::holds_alternative<DisconnectCommand>(command.action);
-    if (has_sequence) result.status = accept_sequence(command.client, command.sequence);
+    if (!is_session_command(command.action))
+        result.status = accept_sequence(command.client, command.sequence);
     if (result.status.ok()) result.status = apply_and_record(command, result);
     if (is_leave) last_sequences_.erase(command.client);
     return result;
@@ -177,6 +194,11 @@ Status HostedWorld::apply_and_record(const Command& command, InputResult& result
         journal_.push_back({command.client, command.sequence,
                             status.ok() ? std::optional(*action) : std::nullopt});
     return status.ok() ? apply_by_rules(command.client, *action, result.entity) : status;
+}
+
+Status HostedWorld::apply_as_server(const Action& action) {
+    InputResult result;
+    return apply_and_record({.client = scene_client, .action = action, .reply = {}}, result);
 }
 
 void HostedWorld::remove_entities(std::span<const EntityId> entities) {
@@ -249,7 +271,20 @@ QueryFramePtr HostedWorld::query_frame(std::uint32_t tick, CopyLayers layers) {
     frame->entity_list = state_.entities.list();
     frame->shape_owners = state_.entities.shape_owners();
     copy_layers(*frame, state_.world, state_.entities.by_body());
+    // Points are published in steps.
+    if (!channels_.publishes_points()) frame->layers &= ~copy_points;
+    if (frame->layers & copy_points) copy_points_into(*frame);
     return frame;
+}
+
+void HostedWorld::copy_points_into(QueryFrame& frame) const {
+    frame.points = channels_.points();
+    std::set<EntityId> carriers;
+    for (const auto& state : *frame.points) carriers.insert(state->object->entity);
+    for (const EntityId id : carriers)
+        if (const Entity* const entity = state_.entities.find(id); entity != nullptr)
+            if (const auto body = state_.world.body(entity->body); body.ok())
+                frame.carriers.push_back({id, body->awake, body->pose});
 }
 
 // A body that neither is awake nor was awake in the last frame has not moved, unless the static
@@ -280,6 +315,18 @@ void HostedWorld::copy_poses(bool all) {
         poses_.set(index_of_body_[body.id.index], body.pose, body.awake);
 }
 
+void HostedWorld::copy_data_into(Frame& frame) {
+    frame.players = state_.players.publish(frame.tick);
+    frame.attributes = state_.attributes.publish(frame.tick);
+    frame.messages = state_.messages.publish(frame.tick);
+    frame.has_new_data = frame.players != published_players_ ||
+                         frame.attributes != published_attributes_ ||
+                         frame.messages != published_messages_;
+    published_players_ = frame.players;
+    published_attributes_ = frame.attributes;
+    published_messages_ = frame.messages;
+}
+
 void HostedWorld::copy_into(Frame& frame) {
     const World& world = state_.world;
     const bool list_changed = entity_list_ != state_.entities.list();
@@ -299,6 +346,7 @@ void HostedWorld::copy_into(Frame& frame) {
     frame.entity_list = entity_list_ = state_.entities.list();
     ASSERT(frame.entities.size() == frame.entity_list->size());
     frame.previous_changed_at = changed_at_;
+    copy_data_into(frame);
     if (moved || list_changed || published_channels_ != channels_.channels() ||
         published_points_ != channels_.points())
         changed_at_ = frame.tick;

@@ -71,7 +71,11 @@ public:
     void remove_entities(std::span<const EntityId> entities);
     // Removes the bodies that the client spawned and returns their number.
     std::size_t remove_bodies_of(ClientId client);
-    // apply(), refuse() and remove_entities() record commands for take_journal() from now on.
+    // Applies an action of the server between two ticks or before a step; it is recorded like an
+    // input. For embedders and administrators: attributes, roles, messages.
+    Status apply_as_server(const Action& action);
+    // apply(), refuse(), apply_as_server() and remove_entities() record commands for take_journal()
+    // from now on.
     void enable_journal() { journal_enabled_ = true; }
     // Returns the commands that were applied since the previous call.
     std::vector<JournaledCommand> take_journal() { return std::exchange(journal_, {}); }
@@ -115,6 +119,15 @@ public:
 
     const physics::World& world() const { return state_.world; }
     const Ownership& ownership() const { return state_.ownership; }
+    const Players& players() const { return state_.players; }
+    const Attributes& attributes() const { return state_.attributes; }
+    // The newest user messages, also those to the server alone, as of the last copy_into().
+    const RecentMessagesPtr& messages() const { return published_messages_; }
+    // Number of user messages that were sent in this world.
+    std::uint32_t message_count() const { return state_.messages.count(); }
+    // A hash of the players and attributes. The bodies have a hash of their own
+    // (physics::state_hash).
+    std::uint64_t data_hash() const;
     std::size_t entities() const { return state_.entities.size(); }
     // The newest frames, for lag compensation. Any thread.
     FrameRing& frame_history() const { return *frame_history_; }
@@ -122,6 +135,7 @@ public:
     double work_per_second() const { return work_per_second_; }
 
 private:
+    void copy_points_into(QueryFrame& frame) const;
     HostedWorld(HostedState state, double hz)
         : state_(std::move(state)),
           hz_(hz),
@@ -134,6 +148,7 @@ private:
                      : apply_action(state_, client, action, affected);
     }
     Status accept_sequence(ClientId client, std::uint32_t sequence);
+    void copy_data_into(Frame& frame);
     // `all`: every pose; otherwise those of bodies that are or were awake.
     void copy_poses(bool all);
 
@@ -159,6 +174,9 @@ private:
     std::shared_ptr<const EntityList> entity_list_;
     std::shared_ptr<const Channels> published_channels_;
     std::shared_ptr<const PointObjects> published_points_;
+    PlayerListPtr published_players_;
+    AttributeTablePtr published_attributes_;
+    RecentMessagesPtr published_messages_ = std::make_shared<const RecentMessages>();
     std::uint32_t changed_at_ = 0;
 };
 

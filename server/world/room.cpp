@@ -137,6 +137,36 @@ RoomState new_room(RoomProperties properties, const std::string& owner) {
 // --- actions ---
 
 Status Room::apply(HostedState& world, ClientId client, const Action& action, EntityId& affected) {
+    const Status done = apply_by_rules(world, client, action, affected);
+    if (std::exchange(has_new_roles_, false)) publish_roles(world);
+    return done;
+}
+
+void Room::publish_roles(HostedState& world) {
+    for (const RoomClient& client : state_.clients) {
+        const PlayerRole listed = world.players.role_of(client.client);
+        if (listed == PlayerRole::unspecified || listed == client.role) continue;
+        const Status changed = world.players.set_role(client.client, client.role);
+        ASSERT(changed.ok());
+    }
+}
+
+Status Room::apply_by_rules(HostedState& world, ClientId client, const Action& action,
+                            EntityId& affected) {
+    if (const auto* role = std::get_if<SetRoleCommand>(&action))
+        return apply(world, client, RoomCommand{SetRole{role->player, role->role}});
+    if (const auto* join = std::get_if<JoinCommand>(&action)) {
+        JoinCommand joined = *join;
+        if (const RoomClient* const entry = state_.find(client)) joined.role = entry->role;
+        return apply_action(world, client, joined, affected);
+    }
+    if (client != scene_client && is_data_command(action)) {
+        if (const Result<RoomClient*> found = present(client); !found.ok()) return found.error();
+        const auto* const message = std::get_if<SendMessageCommand>(&action);
+        if (message && !message->to_server)
+            if (Status s = may_send_message(client); !s.ok()) return s;
+        return apply_action(world, client, action, affected);
+    }
     if (const auto* command = std::get_if<RoomCommand>(&action))
         return apply(world, client, *command);
     if (std::holds_alternative<LeaveCommand>(action)) {
@@ -314,6 +344,7 @@ void Room::enter(ClientId client, const EnterRoom& c) {
 void Room::set_role(RoomClient& client, PlayerRole role) {
     const RoleQuotas& quotas = state_.properties.quotas_of(role);
     client.role = role;
+    has_new_roles_ = true;
     client.energy = {energy_seconds * quotas.energy_per_second, state_.step};
     client.explosions = {explosions_max(quotas), state_.step};
     view_ = nullptr;

@@ -74,6 +74,10 @@ private:
     void enter(ClientId client, const EnterRoom& c);
     void leave(ClientId client);
     void set_role(RoomClient& client, PlayerRole role);
+    // The list of players has the roles of the room.
+    void publish_roles(HostedState& world);
+    Status apply_by_rules(HostedState& world, ClientId client, const Action& action,
+                          EntityId& affected);
     // The client on which `by` may act: its own role must be higher.
     Result<RoomClient*> subordinate(const RoomClient* by, RoomAction action, ClientId client);
     void remove(RoomClient& client, std::string reason);
@@ -87,7 +91,8 @@ private:
     RoomState state_;
     double hz_;
     Requests requests_;
-    RoomView view_;  // null: changed since the last view()
+    bool has_new_roles_ = false;  // within apply()
+    RoomView view_;               // null: changed since the last view()
 };
 
 // The state of a new room. `owner`: the subject of its creator; empty: none.

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "server/world/world_host.h"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <utility>
 
@@ -75,6 +78,9 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
       tick_(start.tick),
       scheduler_(settings.inputs, properties_.hz),
       body_limits_(settings.body_limits, properties_.hz),
+      // The burst has space for the largest message.
+      message_bytes_(settings.user_message_bytes_per_second,
+                     std::max(settings.user_message_bytes_per_second, 131072.0), properties_.epoch),
       world_journal_(std::move(start.world_journal)),
       // A world without ticks of its own does not depend on measured times.
       queries_(settings.own_ticks ? settings.query_copy_share / properties_.hz : 0),
@@ -232,7 +238,7 @@ void WorldHost::run_tick(Clock::time_point due, std::uint32_t late_ticks) {
     ASSERT(tick_ > properties_.first_tick);
     const std::optional<std::string> paused = lifecycle_.paused();
     const std::optional<Error> refusal = input_refusal(paused);
-    apply_commands(refusal, due);
+    const bool applies_data = apply_commands(refusal, due);
     remove_excess_bodies(began);
     const bool allowed = paused && single_step_.begin_step();
     const bool steps = !paused || allowed;
@@ -245,7 +251,7 @@ void WorldHost::run_tick(Clock::time_point due, std::uint32_t late_ticks) {
     if (!stepped) frame->step_ms = 0;
     ASSERT(frame->tick == tick_ && frame->entity_list);
     publisher_.measure(*frame, began);
-    const bool sends_results = !world_journal_ || refusal;
+    const bool sends_results = !world_journal_ || (refusal && !applies_data);
     publish(frame, sends_results);
     if (world_journal_) persist_published(frame->step_ms, sends_results);
     serve_queries();  // after the frame, which has priority
@@ -281,13 +287,23 @@ std::optional<Error> WorldHost::input_refusal(const std::optional<std::string>& 
     return Error{ErrorCode::unavailable, "the input cannot be persisted, retry later: " + *failure};
 }
 
-// A pause or the end of the world during the tick refuses the rest of its inputs.
-void WorldHost::apply_commands(std::optional<Error> refusal, Clock::time_point due) {
+// A pause or the end of the world during the tick refuses the rest of its inputs, except those
+// about players, attributes and messages, which a pause does not concern.
+bool WorldHost::apply_commands(std::optional<Error> refusal, Clock::time_point due) {
     mailbox_.take_due(tick_);
     results_.clear();
     if (world_.room())
         for (const Command& command : mailbox_.entries()) world_.apply(command, tick_);
+    apply_joins(mailbox_.join_commands());
     scheduler_.begin_tick(mailbox_.inputs(), mailbox_.leave_commands());
+    const bool may_persist = !world_journal_ || !world_journal_->failure_reason();
+    bool applies_data = false;
+    const auto is_refused = [&](const Command& command) {
+        if (!refusal) return false;
+        if (!may_persist || lifecycle_.stopped() || !is_data_command(command.action)) return true;
+        applies_data = true;
+        return false;
+    };
     std::chrono::nanoseconds before = cpu_time_.now().value_or(std::chrono::nanoseconds(0));
     while (const Command* const command = scheduler_.next()) {
         if (!refusal && lifecycle_.stopped())
@@ -297,9 +313,10 @@ void WorldHost::apply_commands(std::optional<Error> refusal, Clock::time_point d
         std::optional<InputResult> resumed;
         if (refusal && world_.room()) resumed = resume_room(*command);
         put_result(*command,
-                   resumed   ? *std::move(resumed)
-                   : refusal ? InputResult{.sequence = command->sequence, .status = *refusal}
-                             : apply(*command),
+                   resumed ? *std::move(resumed)
+                   : is_refused(*command)
+                       ? InputResult{.sequence = command->sequence, .status = *refusal}
+                       : apply(*command, due),
                    due);
         const std::chrono::nanoseconds after = cpu_time_.now().value_or(before);
         scheduler_.charge(std::chrono::duration<double>(after - before).count());
@@ -316,10 +333,34 @@ void WorldHost::apply_commands(std::optional<Error> refusal, Clock::time_point d
             body_limits_.on_retained(world_.ownership().owned_by(command.client), due);
         world_.apply(command, tick_);
     }
+    apply_joins(mailbox_.late_join_commands());
+    return applies_data;
 }
 
-InputResult WorldHost::apply(const Command& command) {
+void WorldHost::apply_joins(std::span<Command> joins) {
+    for (Command& command : joins) {
+        std::get<JoinCommand>(command.action).tick = tick_;
+        world_.apply(command, tick_);
+    }
+}
+
+std::optional<Error> WorldHost::message_refusal(const Command& command, Clock::time_point due) {
+    const auto* const message = std::get_if<SendMessageCommand>(&command.action);
+    const double rate = settings_.user_message_bytes_per_second;
+    if (!message || rate == 0) return std::nullopt;
+    const auto bytes = static_cast<double>(message->topic.size() + message->data.size());
+    if (message_bytes_.take(bytes, due)) return std::nullopt;
+    const double wait_ms = std::ceil(to_ms(message_bytes_.wait_for(bytes, due)));
+    return Error{ErrorCode::resource_exhausted,
+                 fmt::format("the clients of this world send more than {:g} bytes of messages per "
+                             "second (world.user_message_bytes_per_second); retry after {:g} ms",
+                             rate, wait_ms),
+                 static_cast<int>(std::min(wait_ms, 1e9))};
+}
+
+InputResult WorldHost::apply(const Command& command, Clock::time_point due) {
     std::optional<Error> refused = body_limits_.refusal(command, world_.ownership());
+    if (!refused) refused = message_refusal(command, due);
     return refused ? world_.refuse(command, *std::move(refused), tick_)
                    : world_.apply(command, tick_);
 }
@@ -363,7 +404,7 @@ void WorldHost::put_result(const Command& command, InputResult result, Clock::ti
 bool WorldHost::step(bool allowed) {
     const FrameListeners& listeners = publisher_.listeners();
     world_.publish_motion(listeners.motion.load() > 0);
-    world_.publish_points(listeners.points.load() > 0);
+    world_.publish_points(listeners.points.load() > 0 || queries_.is_requested(copy_points));
     world_.publish_controlled_entities(listeners.controlled_entities.load() > 0);
     world_.resume_stepping();
     // interrupt_overloaded() pauses before it stops the step, so resuming here just after it still
@@ -429,7 +470,7 @@ void WorldHost::publish(const std::shared_ptr<Frame>& frame, bool sends_results)
     if (sends_results)
         for (WaitingResult& waiting : results_)
             if (waiting.reply) waiting.reply->put(std::move(waiting.result));
-    publisher_.notify(frame->changed_at == frame->tick || !results_.empty());
+    publisher_.notify(frame->changed_at == frame->tick || frame->has_new_data || !results_.empty());
 }
 
 void WorldHost::serve_queries() {

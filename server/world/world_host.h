@@ -12,10 +12,12 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "server/util/thread_cpu_time.h"
+#include "server/util/token_bucket.h"
 #include "server/world/between_ticks_executor.h"
 #include "server/world/body_limits.h"
 #include "server/world/command_mailbox.h"
@@ -45,6 +47,7 @@ struct WorldHostSettings {
     int command_queue_max = 8192;
     InputScheduler::Settings inputs;
     double query_copy_share = 0.1;  // of the tick period for copies for queries; 0: unlimited
+    double user_message_bytes_per_second = 262144;  // of all clients; 0: unlimited
     BodyLimits::Settings body_limits;
     int catch_up_ticks_max = 4;
     int physics_threads = 1;
@@ -157,8 +160,12 @@ private:
     bool may_rest(const Frame& frame) const;
     // `refusal`: why no input is applied; nothing: inputs are applied.
     std::optional<Error> input_refusal(const std::optional<std::string>& paused) const;
-    void apply_commands(std::optional<Error> refusal, Clock::time_point due);
-    InputResult apply(const Command& command);
+    // Returns whether an input was applied although the world is paused.
+    bool apply_commands(std::optional<Error> refusal, Clock::time_point due);
+    InputResult apply(const Command& command, Clock::time_point due);
+    // Why a user message exceeds the rate of the world; nothing: it does not.
+    std::optional<Error> message_refusal(const Command& command, Clock::time_point due);
+    void apply_joins(std::span<Command> joins);
     // Resumes a world that a member of the room paused. Nothing: the command does not request it.
     std::optional<InputResult> resume_room(const Command& command);
     void grant_room_requests(const Room::Requests& requests);
@@ -188,6 +195,7 @@ private:
     std::uint32_t tick_ = 0;
     InputScheduler scheduler_;
     BodyLimits body_limits_;
+    TokenBucket message_bytes_;
     ThreadCpuTime cpu_time_;
     std::chrono::nanoseconds cpu_at_begin_{0};  // of this tick
     std::vector<WaitingResult> results_;        // of the inputs of this tick

@@ -5,7 +5,6 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
-#include <cctype>
 #include <cerrno>
 #include <cstdio>
 #include <cstring>
@@ -17,6 +16,7 @@
 #include "server/storage/backup.h"
 #include "server/storage/store_head.h"
 #include "tools/common/table.h"
+#include "tools/ctl/attribute_arguments.h"
 #include "tools/ctl/report.h"
 
 namespace jostle::ctl {
@@ -133,7 +133,7 @@ Outcome list_worlds(Connection& server, const CommandArguments& arguments) {
     v1::ListWorldsRequest request;
     std::istringstream tags(arguments.tags);
     for (std::string tag; std::getline(tags, tag, ',');) request.mutable_filter()->add_tags(tag);
-    request.mutable_filter()->set_text(arguments.text);
+    request.mutable_filter()->set_text(arguments.words);
     request.mutable_filter()->set_not_full(arguments.not_full);
     request.mutable_filter()->set_is_public(arguments.is_public);
     const auto response = server.call(&Worlds::ListWorlds, request);
@@ -313,6 +313,73 @@ Outcome remove_bodies(Connection& server, const CommandArguments& arguments) {
                           " were removed from " + sanitized(arguments.world));
 }
 
+Outcome list_players(Connection& server, const CommandArguments& arguments) {
+    v1::ListPlayersRequest request;
+    request.set_world(arguments.world);
+    const auto response = server.call(&Admin::ListPlayers, request);
+    if (!response.ok()) return server_error(response.error());
+    return {.text = arguments.json ? json_text(*response) : players_text(*response)};
+}
+
+Outcome set_role(Connection& server, const CommandArguments& arguments) {
+    const Result<v1::PlayerRole> role = parse_role(arguments.role);
+    if (!role.ok()) return usage_error(role.error());
+    v1::SetPlayerRoleRequest request;
+    request.set_world(arguments.world);
+    request.set_client(arguments.client);
+    request.set_role(*role);
+    const auto response = server.call(&Admin::SetPlayerRole, request);
+    return to_outcome(response, arguments,
+                      "player " + std::to_string(arguments.client) + " of " +
+                          sanitized(arguments.world) + " has the role " + arguments.role);
+}
+
+Outcome get_attributes(Connection& server, const CommandArguments& arguments) {
+    v1::GetAttributesRequest request;
+    request.set_world(arguments.world);
+    if (!arguments.target.empty())
+        if (Status s = parse_target(arguments.target, *request.mutable_target()); !s.ok())
+            return usage_error(s.error());
+    const auto response = server.call(&Admin::GetAttributes, request);
+    if (!response.ok()) return server_error(response.error());
+    return {.text = arguments.json ? json_text(*response) : attributes_text(*response)};
+}
+
+Outcome set_attribute(Connection& server, const CommandArguments& arguments) {
+    v1::SetAttributesRequest request;
+    request.set_world(arguments.world);
+    if (Status s = parse_target(arguments.target, *request.mutable_set()); !s.ok())
+        return usage_error(s.error());
+    v1::Attribute& attribute = *request.mutable_set()->add_attributes();
+    attribute.set_key(arguments.key);
+    if (!arguments.removes) {
+        parse_value(arguments.value, arguments.is_text, attribute);
+        if (Status s = parse_visibility(arguments.visibility, attribute); !s.ok())
+            return usage_error(s.error());
+    }
+    const auto response = server.call(&Admin::SetAttributes, request);
+    return to_outcome(
+        response, arguments,
+        sanitized(arguments.target) + " " + sanitized(arguments.key) +
+            (arguments.removes ? " is removed" : " is " + sanitized(value_text(attribute), 300)));
+}
+
+Outcome send_message(Connection& server, const CommandArguments& arguments) {
+    v1::SendMessageRequest request;
+    request.set_world(arguments.world);
+    request.set_topic(arguments.topic);
+    request.set_data(arguments.text);
+    request.mutable_to()->Add(arguments.recipients.begin(), arguments.recipients.end());
+    const auto response = server.call(&Admin::SendMessage, request);
+    if (!response.ok()) return server_error(response.error());
+    return to_outcome(
+        response, arguments,
+        "message " + std::to_string(response->number()) + " was sent to " +
+            (arguments.recipients.empty()
+                 ? "all players"
+                 : count_text(static_cast<std::uint32_t>(arguments.recipients.size()), "player")));
+}
+
 Outcome backup(Connection& server, const CommandArguments& arguments) {
     const std::string part = arguments.file + ".part";
     std::ofstream file(part, std::ios::binary | std::ios::trunc);
@@ -407,16 +474,12 @@ std::string client_text(const CommandArguments& arguments) {
 
 }  // namespace
 
-Outcome set_role(Connection& server, const CommandArguments& arguments) {
+Outcome set_room_role(Connection& server, const CommandArguments& arguments) {
     v1::RoomInput command;
     command.mutable_set_role()->set_client(arguments.client);
-    std::string name = "PLAYER_ROLE_";
-    for (const char c : arguments.role) name += static_cast<char>(std::toupper(c));
-    v1::PlayerRole role = v1::PLAYER_ROLE_UNSPECIFIED;
-    if (!v1::PlayerRole_Parse(name, &role))
-        return usage_error(invalid_argument("the role is \"" + sanitized(arguments.role) +
-                                            "\"; use spectator, player, builder or owner"));
-    command.mutable_set_role()->set_role(role);
+    const Result<v1::PlayerRole> role = parse_role(arguments.role);
+    if (!role.ok()) return usage_error(role.error());
+    command.mutable_set_role()->set_role(*role);
     return moderate(server, arguments, command,
                     client_text(arguments) + " has the role " + arguments.role);
 }

@@ -32,6 +32,9 @@ Examples:
   jostlectl room show track                         list its members, bans and protected areas
   jostlectl room role track 17 builder
   jostlectl undo yard 17 --seconds 30               undo what client 17 did in the last 30 s
+  jostlectl players arena                           list players, their roles and pings
+  jostlectl say arena "the match starts"            send a message to all players
+  jostlectl set-attribute arena player:17 score 12  clients cannot change it; see also attributes
   jostlectl backup worlds.backup                    download a backup while the worlds run
   jostlectl verify worlds.backup && jostlectl restore worlds.backup worlds.db
   jostlectl drain                                   notify clients, then stop the server
@@ -80,7 +83,8 @@ void add_world_commands(CLI::App& app, Flags& flags) {
     worlds
         ->add_option("--tags", w.tags, "List rooms with all of these tags only, such as race,cars")
         ->type_name("TAGS");
-    worlds->add_option("--text", w.text, "List worlds with TEXT in name, title or description only")
+    worlds
+        ->add_option("--text", w.words, "List worlds with TEXT in name, title or description only")
         ->type_name("TEXT");
     worlds->add_flag("--not-full", w.not_full, "List rooms with a free place only");
     worlds->add_flag("--public", w.is_public, "List rooms without a join code only");
@@ -167,6 +171,65 @@ void add_world_commands(CLI::App& app, Flags& flags) {
         ->check(CLI::Range(1.0, 30.0).description(""));
 }
 
+// Players, attributes and messages of a world.
+void add_data_commands(CLI::App& app, Flags& flags) {
+    namespace ctl = jostle::ctl;
+    CommandArguments& w = flags.arguments;
+    add_world_argument(add(app, flags, "players", "List the players of a world", ctl::list_players),
+                       flags);
+    CLI::App* const role =
+        add(app, flags, "role", "Change the role of a player in its world", ctl::set_role);
+    add_world_argument(role, flags);
+    role->add_option("CLIENT", w.client, "Id of the player, as listed by \"players\"")
+        ->type_name("")
+        ->required();
+    role->add_option("ROLE", w.role, "spectator, player, builder or owner")
+        ->type_name("")
+        ->required();
+    CLI::App* const get =
+        add(app, flags, "attributes", "List attributes of a world, its players and its entities",
+            ctl::get_attributes);
+    add_world_argument(get, flags);
+    get->add_option("TARGET", w.target,
+                    "world, player:CLIENT or entity:ENTITY [default: all targets]")
+        ->type_name("");
+    get->callback([&flags, get] {
+        if (get->get_option("TARGET")->count() == 0) flags.arguments.target.clear();
+        flags.command = ctl::get_attributes;
+    });
+    CLI::App* const set = add(app, flags, "set-attribute",
+                              "Set an attribute; clients cannot change it", ctl::set_attribute);
+    add_world_argument(set, flags);
+    set->add_option("TARGET", w.target, "world, player:CLIENT or entity:ENTITY")
+        ->type_name("")
+        ->required();
+    set->add_option("KEY", w.key, "1 to 32 of the characters a-z, 0-9, _ and .")
+        ->type_name("")
+        ->required();
+    auto* const value =
+        set->add_option("VALUE", w.value,
+                        "true, false, an integer, a number, a vector such as 1,2,3, or a text")
+            ->type_name("");
+    set->add_flag("--text", w.is_text, "Set VALUE as a text, whatever it looks like");
+    auto* const removes = set->add_flag("--remove", w.removes, "Remove the attribute");
+    set->add_option("--visibility", w.visibility,
+                    "Clients that receive it: everyone, owner, or roles:ROLE,ROLE [default: "
+                    "everyone]")
+        ->type_name("WHO");
+    set->callback([&flags, value, removes] {
+        if (value->count() + removes->count() != 1)
+            throw CLI::RequiredError("set-attribute: either VALUE or --remove");
+        flags.command = ctl::set_attribute;
+    });
+    CLI::App* const say =
+        add(app, flags, "say", "Send a user message as the server", ctl::send_message);
+    add_world_argument(say, flags);
+    say->add_option("TEXT", w.text, "Data of the message")->type_name("")->required();
+    say->add_option("--topic", w.topic, "Topic of the message [default: chat]")->type_name("TOPIC");
+    say->add_option("--to", w.recipients, "Send it to this client only; repeatable")
+        ->type_name("CLIENT");
+}
+
 void add_client_commands(CLI::App& app, Flags& flags) {
     CommandArguments& w = flags.arguments;
     add(app, flags, "clients", "List the connected clients", jostle::ctl::list_clients)
@@ -219,6 +282,7 @@ void add_client_commands(CLI::App& app, Flags& flags) {
                      "Undo the inputs of this time [default: 60; 1 to 3600]")
         ->type_name("SECONDS")
         ->check(CLI::Range(1.0, 3600.0).description(""));
+    add_data_commands(app, flags);
     CLI::App* const backup =
         add(app, flags, "backup", "Download a backup of all persisted worlds", jostle::ctl::backup);
     backup->add_option("FILE", w.file, "File to write")->type_name("")->required();
@@ -243,7 +307,7 @@ void add_room_commands(CLI::App& app, Flags& flags) {
         return sub;
     };
     command("show", "List members, bans and protected areas", ctl::show_room);
-    on_client("role", "Change the role of a client", ctl::set_role)
+    on_client("role", "Change the role of a client", ctl::set_room_role)
         ->add_option("ROLE", w.role, "spectator, player, builder or owner")
         ->type_name("")
         ->required();

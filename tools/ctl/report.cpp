@@ -3,7 +3,9 @@
 
 #include <google/protobuf/util/json_util.h>
 
+#include "jostle/base/format_text.h"
 #include "tools/common/table.h"
+#include "tools/ctl/attribute_arguments.h"
 
 namespace jostle::ctl {
 
@@ -24,21 +26,6 @@ std::string room_of(const v1::WorldInfo& world) {
            (room.is_private() ? ", private" : "") + (room.unlisted() ? ", unlisted" : "");
 }
 
-std::string name_of(v1::PlayerRole role) {
-    switch (role) {
-        case v1::PLAYER_ROLE_SPECTATOR:
-            return "spectator";
-        case v1::PLAYER_ROLE_PLAYER:
-            return "player";
-        case v1::PLAYER_ROLE_BUILDER:
-            return "builder";
-        case v1::PLAYER_ROLE_OWNER:
-            return "owner";
-        default:
-            return "-";
-    }
-}
-
 }  // namespace
 
 std::string room_text(const v1::GetRoomResponse& room) {
@@ -57,7 +44,7 @@ std::string room_text(const v1::GetRoomResponse& room) {
     if (room.members().empty()) return text + "The room has no clients.\n";
     Table table({{"CLIENT", Align::right}, {"ROLE"}, {"MEMBER"}, {"STATE"}});
     for (const v1::RoomMember& member : room.members())
-        table.add({std::to_string(member.client()), name_of(member.role()),
+        table.add({std::to_string(member.client()), role_text(member.role()),
                    sanitized(member.member(), 100),
                    member.removed() ? "removed"
                    : member.muted() ? "muted"
@@ -108,6 +95,36 @@ std::string clients_text(const v1::ListClientsResponse& clients) {
                    number_text(client.kbit_per_second(), 1),
                    std::to_string(client.snapshots_skipped()),
                    client.round_trip_ms() > 0 ? number_text(client.round_trip_ms(), 1) : "-"});
+    return table.text();
+}
+
+std::string players_text(const v1::ListPlayersResponse& players) {
+    if (players.players().empty()) return "The world has no players.\n";
+    Table table({{"ID", Align::right},
+                 {"NAME"},
+                 {"ROLE"},
+                 {"COLOR"},
+                 {"SINCE TICK", Align::right},
+                 {"PING MS", Align::right},
+                 {"STATE"}});
+    for (const v1::Player& player : players.players())
+        table.add({std::to_string(player.client()), sanitized(player.name()),
+                   role_text(player.role()),
+                   player.has_color() ? format_text("%06x", player.color()) : "-",
+                   std::to_string(player.joined_tick()),
+                   player.ping_ms() > 0 ? std::to_string(player.ping_ms()) : "-",
+                   player.disconnected() ? "disconnected" : "connected"});
+    return table.text();
+}
+
+std::string attributes_text(const v1::GetAttributesResponse& attributes) {
+    if (attributes.sets().empty()) return "There are no attributes.\n";
+    Table table({{"TARGET"}, {"KEY"}, {"VALUE"}, {"VISIBLE TO"}, {"SET BY"}});
+    for (const v1::AttributeSet& set : attributes.sets())
+        for (const v1::Attribute& attribute : set.attributes())
+            table.add({target_text(set), sanitized(attribute.key()),
+                       sanitized(value_text(attribute), 80), visibility_text(attribute),
+                       attribute.read_only() ? "server" : "client"});
     return table.text();
 }
 

@@ -1,4 +1,5 @@
 // Writes FILE.br and FILE.gz next to the files of ../dist that compress; jostle-server sends them to browsers that accept them.
+// Fails if the script of the first view, which index.html names, is too large.
 import { readdirSync, readFileSync, writeFileSync } from 'node:fs';
 import { join } from 'node:path';
 import { brotliCompressSync, constants, gzipSync } from 'node:zlib';
@@ -15,3 +16,13 @@ for (const name of readdirSync(dist, { recursive: true })) {
   writeFileSync(`${file}.br`, brotliCompressSync(bytes, { params: quality }));
   writeFileSync(`${file}.gz`, gzipSync(bytes, { level: 9 }));
 }
+
+const html = readFileSync(join(dist, 'index.html'), 'utf8');
+const scripts = [...html.matchAll(/(?:src|href)="\.\/(assets\/[^"]+\.js)"/g)].map(([, name]) => name);
+const firstView = scripts.reduce((sum, name) => sum + gzipSync(readFileSync(join(dist, name)), { level: 9 }).length, 0);
+const firstViewMax = 350e3; // bytes, with gzip
+if (scripts.length === 0 || firstView > firstViewMax) {
+  console.error(`the script of the first view has ${firstView} bytes with gzip in ${scripts.length} files; at most ${firstViewMax} are allowed`);
+  process.exit(1);
+}
+console.log(`script of the first view: ${(firstView / 1000).toFixed(0)} kB with gzip`);

@@ -176,8 +176,10 @@ std::map<std::string, Expected> expected_permissions() {
           "jostle.v1.AdminService/ExportWorld", "jostle.v1.AdminService/DownloadWorld",
           "jostle.v1.AdminService/RemoveBodies", "jostle.v1.AdminService/RewindWorld",
           "jostle.v1.AdminService/UndoClient", "jostle.v1.AdminService/Profile",
-          "jostle.v1.AdminService/GetRoom", "jostle.v1.AdminService/ModerateRoom",
-          "POST /api/admin/{method}", "GET /debug/profile"}},
+          "jostle.v1.AdminService/ListPlayers", "jostle.v1.AdminService/SetPlayerRole",
+          "jostle.v1.AdminService/GetAttributes", "jostle.v1.AdminService/SetAttributes",
+          "jostle.v1.AdminService/SendMessage", "jostle.v1.AdminService/GetRoom",
+          "jostle.v1.AdminService/ModerateRoom", "POST /api/admin/{method}", "GET /debug/profile"}},
     };
     std::map<std::string, Expected> expected;
     for (const auto& [role, object, calls] : groups)

@@ -339,6 +339,31 @@ TEST_F(RoomTest, owner_transfers_the_room) {
     EXPECT_EQ(member(6).role, PlayerRole::builder);
 }
 
+TEST_F(RoomTest, player_list_has_the_roles_of_the_room) {
+    for (const ClientId client : {actor, other})
+        world.apply({.client = client, .action = JoinCommand{.name = "ann"}, .reply = {}}, 1);
+    set_role(actor, PlayerRole::builder);
+    EXPECT_EQ(world.players().role_of(actor), PlayerRole::builder);
+    EXPECT_TRUE(world.apply_as_server(SetRoleCommand{other, PlayerRole::owner}).ok());
+    EXPECT_EQ(member(other).role, PlayerRole::owner);
+    EXPECT_EQ(world.players().role_of(other), PlayerRole::owner);
+    apply(actor, LeaveCommand{});
+    enter(4, "subject/bob");
+    world.apply({.client = 4, .action = JoinCommand{.name = "bob"}, .reply = {}}, 1);
+    EXPECT_EQ(world.players().role_of(4), PlayerRole::builder) << "the role of its subject";
+}
+
+TEST_F(RoomTest, muted_client_sends_messages_to_the_server_only) {
+    set_role(actor, PlayerRole::owner);
+    EXPECT_TRUE(command(actor, MuteClient{other, 3}).ok());
+    const SendMessageCommand chat{.topic = "chat", .data = "hello"};
+    EXPECT_EQ(error_of(apply(other, chat).status).code, ErrorCode::resource_exhausted);
+    EXPECT_TRUE(
+        apply(other, SendMessageCommand{.topic = "chat", .data = "hello", .to_server = true})
+            .status.ok());
+    EXPECT_TRUE(apply(actor, chat).status.ok());
+}
+
 TEST_F(RoomTest, role_persists_for_a_subject) {
     set_role(other, PlayerRole::builder);
     apply(other, LeaveCommand{});

@@ -1,7 +1,7 @@
 // Tests the viewer in headless Chromium against a real server: joining, dragging, throwing, shapes of
 // every kind, module renderers, picking by the server, the debug view, events, prediction over a slow
-// network, recordings, resuming after a server failure, dragging and cutting a rope, and controlling a
-// car, a character and a boat; and the example of the SDK.
+// network, recordings, resuming after a server failure, dragging and cutting a rope, controlling a car, a
+// character and a boat, and the acceptance of its layout; and the example of the SDK.
 // Usage: node viewer/e2e/viewer.mjs SERVER_BINARY [--screenshot FILE]
 // FILE shows the sandbox, FILE-shapes the debug view of a world of shapes. The exit status is 1 if a
 // test fails.
@@ -12,6 +12,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
+import { testAcceptance } from './acceptance.mjs';
 import { testControl } from './control.mjs';
 import { testDeformables } from './deformables.mjs';
 import { testMonitor } from './monitor.mjs';
@@ -237,6 +238,9 @@ try {
   expect(harbour.ok, `the harbour is created: ${harbour.status}`);
   await testControl({ page, url: `http://127.0.0.1:${ports.http}`, until, expect, takeScreenshot: screenshot && takeScreenshot });
   await testMonitor({ browser, page, url: `http://127.0.0.1:${ports.http}`, until, expect, takeScreenshot: screenshot?.replace(/(\.\w+)?$/, '-monitor$1') });
+
+  const nameOf = screenshot && ((what) => screenshot.replace(/(\.\w+)?$/, `-${what}$1`));
+  await testAcceptance({ browser, url: `http://127.0.0.1:${ports.http}`, post, until, expect, screenshot: nameOf });
 
   expect((await page.evaluate(() => window.jostle.decodeErrors)) === 0, 'every snapshot is decoded with a matching CRC');
   expect(errors.length === 0, `the page has no errors ${errors.join('; ')}`);

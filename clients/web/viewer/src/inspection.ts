@@ -1,12 +1,13 @@
 // Read-only state of the viewer as window.jostle, for browser tests and the console.
 
 import { nowUs, type Connection, type RecordedStream } from '@jostle/client';
+import type { WorldStats } from '@jostle/client/gen/play_pb';
 import type { PredictionController } from '@jostle/client/prediction';
 import * as THREE from 'three';
 import type { Camera } from './camera/camera';
 import type { Driving } from './interaction/driving';
 import type { ModuleView } from './module_renderers/module_view';
-import type { StatsPanel } from './panels/stats';
+import type { FrameTimes } from './ui/frame_times';
 import type { PointObjectsView } from './point_objects/point_objects_view';
 import type { SceneView } from './scene/scene_view';
 import type { UnitKind } from './scene/shape_parts';
@@ -19,15 +20,20 @@ export interface Inspected {
   readonly pointObjectsView: PointObjectsView;
   readonly camera: Camera;
   readonly driving: Driving;
-  readonly statsPanel: StatsPanel;
+  readonly frameTimes: FrameTimes;
+  stats(): WorldStats | undefined;
+  qualityName(): string;
   recording(): RecordedStream | undefined;
   prediction(): PredictionController | undefined;
   controllableEntities(): number[];
 }
 
-export function exposeInspection({ connection, view, moduleView, pointObjectsView, camera, driving, statsPanel, recording, prediction, controllableEntities }: Inspected): void {
+export function exposeInspection(inspected: Inspected): void {
+  const { connection, view, moduleView, pointObjectsView, camera, driving, frameTimes } = inspected;
+  const { stats, qualityName, recording, prediction, controllableEntities } = inspected;
   /** Position of a point of the world on the page, in pixels. */
   const toScreen = (x: number, y: number, z: number) => {
+    camera.camera.updateMatrixWorld();
     const p = new THREE.Vector3(x, y, z).project(camera.camera);
     return { x: ((p.x + 1) / 2) * innerWidth, y: ((1 - p.y) / 2) * innerHeight };
   };
@@ -66,7 +72,22 @@ export function exposeInspection({ connection, view, moduleView, pointObjectsVie
       return connection.decodeErrors;
     },
     get stats() {
-      return statsPanel.latest;
+      return stats();
+    },
+    /** Durations of the script of rendered frames in ms, without drawing. */
+    get frameScript() {
+      return { frames: frameTimes.frames, median: frameTimes.percentile(0.5), p90: frameTimes.percentile(0.9) };
+    },
+    resetFrameScript: () => frameTimes.reset(),
+    get quality() {
+      return qualityName();
+    },
+    get planar() {
+      return camera.planar;
+    },
+    /** Target of the camera: x y z, and its distance in m. */
+    get cameraTarget() {
+      return [...camera.controls.target.toArray(), camera.distance];
     },
     /** The tick of an input made now; 0: unknown. */
     get inputTick() {

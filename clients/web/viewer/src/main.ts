@@ -15,28 +15,40 @@ import {
   type ConnectionListener,
   type ConnectionState,
 } from '@jostle/client';
-import type { Entity } from '@jostle/client/gen/play_pb';
+import type { Entity, WorldStats } from '@jostle/client/gen/play_pb';
 import type { PredictionController } from '@jostle/client/prediction';
 import * as THREE from 'three';
 import { Camera } from './camera/camera';
 import { exposeInspection } from './inspection';
-import { cameraYaw, Driving, type Pad } from './interaction/driving';
-import { surfaceHeightAt, unobstructedDistance } from './interaction/pick';
+import { cameraYaw, combinePads, Driving, type Pad } from './interaction/driving';
+import { surfaceHeightAt, unobstructedDistance, type Pick } from './interaction/pick';
 import { TOOLS, Tools, type Tool } from './interaction/tools';
+import { TouchControls } from './interaction/touch_controls';
 import { ModuleView, RENDERED_CHANNEL_KINDS, type RenderedChannels } from './module_renderers/module_view';
 import { POINT_CHANNEL_KINDS, PointObjectsView } from './point_objects/point_objects_view';
-import { DebugPanel } from './panels/debug';
+import type { DebugPanel } from './panels/debug';
 import { drawArrows, DriverPanel, offerText } from './panels/driver';
 import { describePick, entityName } from './panels/entity_names';
-import { EventsPanel } from './panels/events';
-import { PauseBanner } from './panels/pause_banner';
-import { StatsPanel } from './panels/stats';
+import type { EventsPanel } from './panels/events';
+import type { StatsPanel } from './panels/stats';
+import { StatusBanner } from './panels/status_banner';
 import { TimelinePanel } from './panels/timeline';
 import { Toasts } from './panels/toasts';
-import { WorldsPanel } from './panels/worlds';
 import { DebugView } from './scene/debug_view';
+import { Environment, PALETTES } from './scene/environment';
 import { HitMarks } from './scene/hit_marks';
+import { InputMarks } from './scene/input_marks';
+import { AutomaticQuality, LOW_QUALITY, QUALITY_LEVELS, type QualityLevel } from './scene/quality';
 import { SceneView } from './scene/scene_view';
+import { Commands, isTextInput } from './ui/commands';
+import { ContextMenu, type MenuItem } from './ui/context_menu';
+import { iconButton } from './ui/icons';
+import { FrameTimes } from './ui/frame_times';
+import { Panels } from './ui/panels';
+import { ScaleBar } from './ui/scale_bar';
+import { ThemeSwitch } from './ui/theme';
+import { Toolbar } from './ui/toolbar';
+import { layoutInsets } from './ui/layout';
 import { parseUrlParameters, takeToken } from './url_parameters';
 import './style.css';
 
@@ -44,20 +56,52 @@ const byId = <T extends HTMLElement>(id: string) => document.getElementById(id) 
 const errorText = (error: unknown) => (error instanceof Error ? error.message : String(error));
 
 const parameters = parseUrlParameters(location.search);
-const { quality } = parameters;
+
+// --- rendering
 
 const canvas = byId<HTMLCanvasElement>('view');
-const stateLine = byId('state');
-document.documentElement.dataset['quality'] = quality;
-const renderer = new THREE.WebGLRenderer({ canvas, antialias: quality === 'high' });
-renderer.shadowMap.enabled = quality === 'high';
+const renderer = new THREE.WebGLRenderer({ canvas, antialias: parameters.quality === 'auto' || parameters.quality === 'high' });
+renderer.shadowMap.enabled = true;
 renderer.shadowMap.type = THREE.PCFShadowMap;
-renderer.toneMapping = THREE.ACESFilmicToneMapping;
+renderer.toneMapping = THREE.NeutralToneMapping;
 
 const camera = new Camera(canvas);
 const view = new SceneView();
+const environment = new Environment(view.scene);
 const poses = new RenderedPoses();
+const frameTimes = new FrameTimes();
+
+const automaticQuality = parameters.quality === 'auto' ? new AutomaticQuality() : undefined;
+const FIXED_QUALITY: Record<string, QualityLevel> = { high: QUALITY_LEVELS[0]!, medium: QUALITY_LEVELS[2]!, low: LOW_QUALITY };
+let quality = FIXED_QUALITY[parameters.quality] ?? QUALITY_LEVELS[0]!;
+
+function setQuality(level: QualityLevel): void {
+  quality = level;
+  document.documentElement.toggleAttribute('data-blur', level.blur);
+  environment.setQuality(level);
+  resize();
+}
+
+function resize(): void {
+  renderer.setPixelRatio(Math.min(quality.pixelRatioMax, quality.pixelRatioMax < 1 ? 1 : devicePixelRatio));
+  renderer.setSize(innerWidth, innerHeight, false);
+  updateLayout();
+  camera.resize(innerWidth, innerHeight);
+}
+
+function updateLayout(): void {
+  camera.setInsets(layoutInsets(innerWidth, innerHeight));
+}
+
+const theme = new ThemeSwitch((name) => {
+  environment.setPalette(PALETTES[name]);
+  renderer.toneMappingExposure = PALETTES[name].exposure;
+});
+
+// --- connection
+
 const toasts = new Toasts(byId('toasts'));
+const stateLine = byId('state');
 
 const STATE_TEXTS: Record<ConnectionState, string> = {
   connecting: 'connecting …',
@@ -70,13 +114,16 @@ const token = takeToken(
   { hash: location.hash, replaceHash: (hash) => history.replaceState(null, '', location.pathname + location.search + (hash && `#${hash}`)) },
   sessionStorage,
 );
+let playedBefore = false; // the current world was joined before this connection
+let resumedBefore = 0;
 const listener: ConnectionListener = {
   state: (state, reason) => {
     const name = connection.welcome?.worldName ?? '';
-    stateLine.textContent = state === 'playing' ? `in ${name}` : [reason, STATE_TEXTS[state]].filter(Boolean).join(' — ');
+    stateLine.textContent = state === 'playing' ? name : STATE_TEXTS[state] || (reason ? 'not connected' : '');
     stateLine.className = state;
-    if (state !== 'playing') pauseBanner.update(undefined);
-    if (state === 'stopped' && reason) void worlds.show();
+    banner.setConnection(state, reason);
+    if (state === 'playing') onPlaying();
+    if (state === 'stopped' && reason) panels.open('worlds');
   },
   entityList: (entities) => {
     view.setEntities(entities, connection.welcome?.clientId ?? 0);
@@ -85,10 +132,11 @@ const listener: ConnectionListener = {
     if (!entities.has(driving.entity)) driving.reset();
   },
   stats: (stats) => {
-    statsPanel.update(stats);
-    pauseBanner.update(recorded ? undefined : stats);
+    latestStats = stats;
+    statsPanel?.update(stats);
+    banner.setStats(recorded ? undefined : stats);
   },
-  worldEvents: (events) => eventsPanel.addEvents(events, performance.now() + renderDelayMs()),
+  worldEvents: (events) => eventsPanel?.addEvents(events, performance.now() + renderDelayMs()),
   inputRejected: (result) => toasts.show(result.message || 'the server rejected the input'),
   notice: (text) => toasts.show(text),
 };
@@ -103,6 +151,31 @@ const connection = new Connection({
   channelKinds,
   areaOfInterest: parameters.areaOfInterest,
 });
+
+function onPlaying(): void {
+  if (playedBefore) banner.setReconnected(connection.resumed > resumedBefore ? 'session' : 'new client');
+  playedBefore = true;
+  resumedBefore = connection.resumed;
+  banner.setPlayed();
+}
+
+/** The user leaves the world or joins it again, which is no lost connection. */
+function beginWorld(): void {
+  playedBefore = false;
+  banner.begin();
+}
+
+function joinWorld(world: string): void {
+  beginWorld();
+  connection.join(world);
+}
+
+function websocketUrl(): string {
+  const url = new URL('play', location.href);
+  url.protocol = location.protocol === 'https:' ? 'wss:' : 'ws:';
+  url.search = url.hash = '';
+  return url.href;
+}
 
 let prediction: PredictionController | undefined;
 async function enablePrediction(): Promise<void> {
@@ -120,58 +193,216 @@ async function enablePrediction(): Promise<void> {
 }
 if (parameters.predict) void enablePrediction();
 
-const statsPanel = new StatsPanel(byId('stats'), connection);
-const pauseBanner = new PauseBanner(byId('pause-banner'), () => connection.welcome?.worldId ?? '', (text) => toasts.show(text), token);
+// --- tools
+
 const queries = new Queries(() => (connection.state === 'playing' && !recorded ? (connection.welcome?.worldId ?? '') : ''), postToServer(token));
 const readout = byId('readout');
 const driving = new Driving((input) => connection.send(input));
+const touchControls = new TouchControls(byId('touch-controls'));
+const contextMenu = new ContextMenu(byId('context-menu'));
+const inputMarks = new InputMarks();
 let controllable: Entity[] = [];
 let entitiesChanged = false;
-let framedWorld: string | undefined; // the world to which the camera was adjusted
-const tools = new Tools(
+let touchUsed = matchMedia('(pointer: coarse)').matches;
+addEventListener('pointerdown', ({ pointerType }) => (touchUsed = pointerType === 'touch'), { capture: true });
+
+const tools = new Tools({
   canvas,
   camera,
   view,
   connection,
   queries,
-  (hit) => {
+  onHover(hit) {
     readout.hidden = hit === undefined;
     if (hit) readout.textContent = describePick(connection.entities.get(hit.entity), hit);
   },
-  (entity) => {
+  takeControl(entity) {
     if (!connection.entities.get(entity)?.controllable) return toasts.show('this entity is not controllable');
     takeControl(entity);
   },
-  (x, y, z, radius) => moduleView.blasts.add(x, y, z, radius, performance.now()),
-);
+  onExplosion: (x, y, z, radius) => moduleView.blasts.add(x, y, z, radius, performance.now()),
+  onSpawn: (position, radius) => inputMarks.spawned(position, radius, performance.now()),
+  onMenu: openBodyMenu,
+  onFocus: (hit) => hit && focusBody(hit.entity),
+});
+
+function focusBody(entity: number): void {
+  const box = view.boxOf(entity);
+  if (box.isEmpty()) return;
+  const size = box.getSize(new THREE.Vector3());
+  camera.focus(box.getCenter(new THREE.Vector3()), Math.max(size.x, size.y, size.z) / 2);
+}
+
+function openBodyMenu(hit: Pick | undefined, x: number, y: number): void {
+  const entity = hit && connection.entities.get(hit.entity);
+  const items: MenuItem[] = [];
+  if (entity && entity.mass > 0) items.push({ label: 'Focus', run: () => focusBody(entity.id) });
+  if (entity?.controllable && tools.enabled) items.push({ label: 'Drive', run: () => takeControl(entity.id) });
+  if (entity && tools.enabled && entity.owner !== 0 && entity.owner === connection.welcome?.clientId)
+    items.push({ label: 'Delete', run: () => connection.send({ kind: { case: 'delete', value: { entity: entity.id } } }) });
+  items.push({ label: 'Show all', run: fitView });
+  contextMenu.open(hit ? describePick(entity, hit) : 'View', items, x, y);
+}
+
+const toolbar = new Toolbar<Tool>(byId('tools'), TOOLS, selectTool);
+function selectTool(tool: Tool): void {
+  tools.tool = tool;
+  toolbar.show(tool);
+  canvas.style.cursor = tool === 'drag' ? '' : 'crosshair';
+}
+
 const driverPanel = new DriverPanel(byId('driver'), takeControl, () => driving.stopControlling());
-const debugPanel = new DebugPanel(byId('debug'), queries, new DebugView(view.scene), view);
+const debugView = new DebugView(view.scene);
 const hitMarks = new HitMarks(view.scene);
 const moduleView = new ModuleView(view.scene);
 const pointObjectsView = new PointObjectsView(view.scene);
-const eventsPanel = new EventsPanel(
-  byId('events'),
-  hitMarks,
-  (enabled) => connection.setEventsEnabled(enabled),
-  (id) => entityName(connection.entities.get(id), id),
-);
-const worlds = new WorldsPanel(
-  byId('worlds'),
-  (world) => {
-    play(undefined);
-    connection.join(world);
-  },
-  (text) => toasts.show(text),
-  () => connection.welcome?.worldId ?? '',
-  token,
-);
+const scaleBar = new ScaleBar(byId('scale'));
 
-function websocketUrl(): string {
-  const url = new URL('play', location.href);
-  url.protocol = location.protocol === 'https:' ? 'wss:' : 'ws:';
-  url.search = url.hash = '';
-  return url.href;
+// --- panels, each loaded when it is opened
+
+let latestStats: WorldStats | undefined;
+let statsPanel: StatsPanel | undefined;
+let debugPanel: DebugPanel | undefined;
+let eventsPanel: EventsPanel | undefined;
+
+const panels = new Panels({ left: byId('dock-left'), right: byId('dock-right'), buttons: byId('panel-buttons') }, updateLayout);
+const commands = new Commands();
+const banner = new StatusBanner({
+  element: byId('banner'),
+  world: () => connection.welcome?.worldId ?? '',
+  token,
+  showMessage: (text) => toasts.show(text),
+  reconnect: () => connection.retryNow(),
+  openWorlds: () => panels.open('worlds'),
+  onChange: updateLayout,
+});
+
+panels.register({
+  id: 'worlds',
+  title: 'Worlds',
+  hint: 'Join, create and delete worlds',
+  key: 'w',
+  icon: 'worlds',
+  side: 'left',
+  async load(content) {
+    const { WorldsPanel } = await import('./panels/worlds');
+    const join = (world: string) => {
+      play(undefined);
+      joinWorld(world);
+    };
+    return new WorldsPanel(content, () => panels.close('worlds'), join, (text) => toasts.show(text), () => connection.welcome?.worldId ?? '', token);
+  },
+});
+panels.register({
+  id: 'stats',
+  title: 'Statistics',
+  hint: 'Latency, bandwidth and load',
+  key: 's',
+  icon: 'stats',
+  side: 'right',
+  async load(content) {
+    const { StatsPanel } = await import('./panels/stats');
+    statsPanel = new StatsPanel(content, connection);
+    if (latestStats) statsPanel.update(latestStats);
+    return {};
+  },
+});
+panels.register({
+  id: 'debug',
+  title: 'Debug view',
+  hint: 'Contacts, islands, joints and bounds of the solver',
+  key: 'd',
+  icon: 'debug',
+  side: 'left',
+  async load(content) {
+    const { DebugPanel } = await import('./panels/debug');
+    debugPanel = new DebugPanel(content, queries, debugView, view);
+    return {};
+  },
+});
+panels.register({
+  id: 'events',
+  title: 'Events',
+  hint: 'Contacts, hits and triggers; opening the panel rejoins the world',
+  key: 'e',
+  icon: 'events',
+  side: 'left',
+  async load(content) {
+    const { EventsPanel } = await import('./panels/events');
+    eventsPanel = new EventsPanel(
+      content,
+      hitMarks,
+      (enabled) => {
+        beginWorld();
+        connection.setEventsEnabled(enabled);
+      },
+      (id) => entityName(connection.entities.get(id), id),
+    );
+    return eventsPanel;
+  },
+});
+panels.register({
+  id: 'help',
+  title: 'Help',
+  hint: 'Tools, keys and gestures',
+  key: '?',
+  icon: 'help',
+  side: 'left',
+  async load(content) {
+    const { helpPanel } = await import('./panels/help');
+    return helpPanel(content, TOOLS, commands.all);
+  },
+});
+const viewCommands = [
+  { icon: 'fit', label: 'Show all', hint: 'Shows all bodies', key: 'f', run: fitView },
+  { icon: 'theme', label: 'Theme', hint: 'Light or dark theme', key: 't', run: () => theme.toggle() },
+] as const;
+panels.register({
+  id: 'menu',
+  title: 'Menu',
+  hint: 'Panels and settings',
+  key: '',
+  icon: 'menu',
+  side: 'left',
+  narrowOnly: true,
+  async load(content) {
+    const { menuPanel } = await import('./panels/menu');
+    const others = panels.definitions.filter(({ id }) => id !== 'menu');
+    return menuPanel(content, others, (id) => panels.open(id), viewCommands);
+  },
+});
+
+for (const { icon, label, hint, key, run } of viewCommands) {
+  const button = iconButton(icon, label);
+  button.title = `${hint} (${key.toUpperCase()})`;
+  button.className = 'wide-only';
+  button.onclick = run;
+  byId('panel-buttons').append(button);
 }
+
+for (const { tool, key, label } of TOOLS) commands.register({ key, label, run: () => selectTool(tool) });
+for (const { id, key, title } of panels.definitions) if (key) commands.register({ key, label: title, run: () => panels.toggle(id) });
+for (const { key, hint, run } of viewCommands) commands.register({ key, label: hint, run });
+
+addEventListener('keydown', (event) => {
+  if (event.ctrlKey || event.metaKey || event.altKey || isTextInput(event.target)) return;
+  if (event.key === 'Escape') return escape();
+  if (driving.keyDown(event.code)) return event.preventDefault();
+  if (event.target === canvas && camera.key(event.code)) return event.preventDefault();
+  const onPage = event.target === document.body || event.target === canvas;
+  if (recorded && event.key === ' ' && onPage) return timeline.toggle();
+  if (commands.run(event.key)) event.preventDefault();
+});
+addEventListener('keyup', (event) => driving.keyUp(event.code));
+addEventListener('blur', () => driving.blur());
+
+function escape(): void {
+  if (contextMenu.close()) return canvas.focus();
+  if (driving.entity !== 0) return driving.stopControlling();
+  panels.closeNewest();
+}
+
+// --- recordings
 
 let renderTimeUs = 0; // of the last rendered frame, on the server's clock
 
@@ -189,6 +420,7 @@ function play(stream: RecordedStream | undefined): void {
   timeline.show(stream);
   tools.enabled = stream === undefined;
   document.documentElement.toggleAttribute('data-recording', stream !== undefined);
+  updateLayout();
 }
 
 async function playRecording(name: string, bytes: Promise<ArrayBuffer>): Promise<void> {
@@ -199,7 +431,7 @@ async function playRecording(name: string, bytes: Promise<ArrayBuffer>): Promise
       toasts.show(`${name}: damaged recording: ${reason}; ${length} bytes and ${snapshotsSkipped} snapshots are skipped`);
     driving.stopControlling();
     play(new RecordedStream(recording));
-    connection.join('');
+    joinWorld('');
   } catch (error) {
     toasts.show(`${name}: ${errorText(error)}`);
   }
@@ -218,55 +450,30 @@ async function download(url: string): Promise<ArrayBuffer> {
   return response.arrayBuffer();
 }
 
-function selectTool(tool: Tool): void {
-  tools.tool = tool;
-  for (const button of byId('tools').querySelectorAll('button'))
-    button.setAttribute('aria-pressed', String(button.dataset['tool'] === tool));
-  canvas.style.cursor = tool === 'drag' ? '' : 'crosshair';
+// --- camera
+
+let framedWorld: string | undefined; // the world to which the camera was adjusted
+
+/** Shows the whole scene when a world is joined for the first time. */
+function frameWorld(): void {
+  const world = connection.welcome?.worldId;
+  if (connection.state !== 'playing' || world === framedWorld || poses.count === 0) return;
+  framedWorld = world;
+  camera.frame(view.extent());
+  liftAboveGround();
 }
 
-for (const { tool, key, label, hint } of TOOLS) {
-  const button = document.createElement('button');
-  button.type = 'button';
-  button.dataset['tool'] = tool;
-  button.title = `${hint} (${key})`;
-  button.innerHTML = `<kbd>${key}</kbd> ${label}`;
-  button.onclick = () => selectTool(tool);
-  byId('tools').append(button);
+function fitView(): void {
+  if (driving.entity === 0) camera.frame(view.extent(), true);
 }
-selectTool('drag');
 
-byId('help').innerHTML = `<h2>Controls</h2><dl>${TOOLS.map(
-  ({ key, label, hint }) => `<dt><kbd>${key}</kbd> ${label}</dt><dd>${hint}</dd>`,
-).join('')}<dt>Camera</dt><dd>Drag the ground to turn, right button to pan, wheel to zoom; two fingers on touch screens</dd>
-<dt><kbd>D</kbd></dt><dd>Debug view of the solver</dd>
-<dt><kbd>E</kbd></dt><dd>Events; opening the panel rejoins the world</dd>
-<dt><kbd>W</kbd> <kbd>S</kbd> <kbd>?</kbd></dt><dd>Worlds, statistics, this help</dd></dl>`;
-
-const toggle = (id: string) => {
-  byId(id).hidden = !byId(id).hidden;
-};
-byId('worlds-button').onclick = () => void worlds.toggle();
-byId('stats-button').onclick = () => toggle('stats');
-byId('debug-button').onclick = () => toggle('debug');
-byId('events-button').onclick = () => eventsPanel.toggle();
-byId('help-button').onclick = () => toggle('help');
-addEventListener('keydown', (event) => {
-  if (event.ctrlKey || event.metaKey || event.altKey) return;
-  if (event.key === 'Escape') driving.stopControlling();
-  if (driving.keyDown(event.code)) return event.preventDefault();
-  if (recorded && event.key === ' ' && event.target === document.body) timeline.toggle();
-  const selected = TOOLS.find(({ key }) => key === event.key);
-  if (selected) selectTool(selected.tool);
-  if (event.key === 'w') void worlds.toggle();
-  if (event.key === 's') toggle('stats');
-  if (event.key === 'd') toggle('debug');
-  if (event.key === 'e') eventsPanel.toggle();
-  if (event.key === '?') toggle('help');
-});
-
-addEventListener('keyup', (event) => driving.keyUp(event.code));
-addEventListener('blur', () => driving.blur());
+/** Keeps the camera above hills. */
+function liftAboveGround(): void {
+  if (camera.planar) return;
+  const { position } = camera.camera;
+  const ground = surfaceHeightAt(view, position.x, position.z);
+  if (ground !== undefined) position.y = Math.max(position.y, ground + 3);
+}
 
 /** Heading of an entity seen from above: that of its own -z axis. */
 function headingOf(pose: ArrayLike<number>): number {
@@ -279,14 +486,14 @@ function takeControl(entity: number): void {
   camera.startApproach(moduleView.steeringOf(entity)?.distance ?? 8);
 }
 
-let lastDriveMs = performance.now();
-function drive(): void {
-  const nowMs = performance.now();
-  const seconds = Math.min(0.5, (nowMs - lastDriveMs) / 1000);
-  lastDriveMs = nowMs;
+function drive(seconds: number): void {
+  const shown = driving.entity !== 0 && touchUsed;
+  document.documentElement.toggleAttribute('data-touch-driving', shown);
+  touchControls.show(shown ? (moduleView.steeringOf(driving.entity)?.buttons ?? ['1', '2']) : undefined);
   if (driving.entity === 0) return;
-  const pad: Pad | undefined = navigator.getGamepads().find((one) => one !== null && one.mapping === 'standard') ?? undefined;
-  driving.update(pad, cameraYaw(camera.camera.getWorldDirection(new THREE.Vector3())), nowMs);
+  const gamepad: Pad | undefined = navigator.getGamepads().find((one) => one !== null && one.mapping === 'standard') ?? undefined;
+  const pad = combinePads(gamepad, shown ? touchControls : undefined);
+  driving.update(pad, cameraYaw(camera.camera.getWorldDirection(new THREE.Vector3())), performance.now());
   const pose = view.poseOf(driving.entity);
   if (!pose) return;
   // An entity that moves relative to the camera leaves the direction of the camera to the pointer.
@@ -300,17 +507,7 @@ function clearDistance(): number {
   return unobstructedDistance(view, camera.controls.target, camera.camera.position, driving.entity);
 }
 
-/** Shows the whole scene when a world is joined for the first time. */
-function frameWorld(): void {
-  const world = connection.welcome?.worldId;
-  if (connection.state !== 'playing' || world === framedWorld || poses.count === 0) return;
-  framedWorld = world;
-  camera.frame(view.bounds());
-  // Keep the camera above hills.
-  const { position } = camera.camera;
-  const ground = surfaceHeightAt(view, position.x, position.z);
-  if (ground !== undefined) position.y = Math.max(position.y, ground + 3);
-}
+// --- the render loop
 
 function renderedChannels(): RenderedChannels {
   const { frame = 0, channels = NO_CHANNELS } = poses.source ?? {};
@@ -318,15 +515,18 @@ function renderedChannels(): RenderedChannels {
   return { frame, channels, secondsAfter: poses.secondsFromSource, kinds, tickHz };
 }
 
+const poseOf = (entity: number) => view.poseOf(entity);
+
 function renderModules(rendered: RenderedChannels): void {
-  moduleView.debug = debugPanel.on.fields;
+  moduleView.debug = debugPanel?.on.fields ?? false;
   moduleView.update(rendered, {
     nowMs: performance.now(),
     cameraTarget: camera.controls.target,
-    poseOf: (entity) => view.poseOf(entity),
+    poseOf,
     entityOf: (entity) => connection.entities.get(entity),
     decorate: (solids) => {
-      if (tools.tool === 'drive' && driving.entity === 0) drawArrows(solids, controllable, (entity) => view.poseOf(entity), performance.now());
+      if (tools.tool === 'drive' && driving.entity === 0) drawArrows(solids, controllable, poseOf, performance.now());
+      inputMarks.draw(solids, tools.grab, poseOf, camera.distance, performance.now());
     },
   });
 }
@@ -344,24 +544,15 @@ function updateDriverPanel(): void {
       controlled: connection.entities.get(driving.entity),
       keys: moduleView.steeringOf(driving.entity)?.keys ?? '',
       status: moduleView.controlledStatusText(driving.entity),
-      worldStatus: moduleView.statusText() || offerText(controllable),
+      worldStatus: moduleView.statusText() || offerText(controllable, touchUsed),
+      touch: touchUsed,
     },
     controllable,
   );
 }
 
-function resize(): void {
-  renderer.setPixelRatio(quality === 'low' ? 0.25 : quality === 'medium' ? 1 : Math.min(2, devicePixelRatio));
-  renderer.setSize(innerWidth, innerHeight, false);
-  camera.resize(innerWidth, innerHeight);
-}
-addEventListener('resize', resize);
-resize();
-// Statistics cover too much of a small screen.
-if (innerWidth < 700) byId('stats').hidden = true;
-
-renderer.setAnimationLoop(() => {
-  camera.controls.update();
+/** Everything of a rendered frame except the calls that draw. */
+function updateFrame(seconds: number): void {
   const now = nowUs();
   renderTimeUs = recorded ? recorded.advance(now) : connection.renderClock.advance(now);
   poses.update(connection.frames, renderTimeUs, now);
@@ -371,22 +562,42 @@ renderer.setAnimationLoop(() => {
   colorBodies(rendered);
   view.update(poses);
   frameWorld();
+  camera.update(seconds);
   renderModules(rendered);
   connection.samplePoints(renderTimeUs);
-  pointObjectsView.update(connection.points.objects, (entity) => view.poseOf(entity));
+  pointObjectsView.update(connection.points.objects, poseOf);
   updateDriverPanel();
-  debugPanel.update();
-  eventsPanel.update();
+  debugPanel?.update();
+  panels.update();
   hitMarks.update(performance.now());
-  drive();
+  drive(seconds);
   connection.setInterestFocus(camera.controls.target.x, camera.controls.target.z);
-  view.updateSun(camera.controls.target, camera.camera.position.distanceTo(camera.controls.target));
-  camera.renderWithin(clearDistance(), () => renderer.render(view.scene, camera.camera));
-  statsPanel.frameRendered();
+  environment.update(camera.controls.target, camera.distance, camera.planar);
+  scaleBar.update(camera.viewHeight / innerHeight);
+}
+
+let lastFrameMs = performance.now();
+renderer.setAnimationLoop(() => {
+  const startMs = performance.now();
+  const seconds = Math.min(0.5, (startMs - lastFrameMs) / 1000);
+  lastFrameMs = startMs;
+  if (automaticQuality?.frame(startMs)) setQuality(QUALITY_LEVELS[automaticQuality.level]!);
+  updateFrame(seconds);
+  const clear = clearDistance();
+  frameTimes.add(performance.now() - startMs);
+  camera.renderWithin(clear, () => renderer.render(view.scene, camera.camera));
+  statsPanel?.frameRendered();
 });
 
+setQuality(quality);
+selectTool('drag');
+addEventListener('resize', resize);
+new ResizeObserver(updateLayout).observe(byId('bottom'));
+// Statistics cover too much of a small screen.
+if (!panels.isNarrow) panels.open('stats');
+
 if (parameters.recording) void playRecording(parameters.recording, download(parameters.recording));
-else connection.join(parameters.world);
+else joinWorld(parameters.world);
 
 exposeInspection({
   connection,
@@ -395,7 +606,9 @@ exposeInspection({
   pointObjectsView,
   camera,
   driving,
-  statsPanel,
+  frameTimes,
+  stats: () => latestStats,
+  qualityName: () => quality.name,
   recording: () => recorded,
   prediction: () => prediction,
   controllableEntities: () => controllable.map(({ id }) => id),

@@ -26,14 +26,14 @@ it('parses the network conditions', () => {
 });
 
 it('selects the world, the recording, the quality and prediction', () => {
-  expect(parseUrlParameters('')).toMatchObject({ world: '', recording: undefined, quality: 'high', predict: false });
+  expect(parseUrlParameters('')).toMatchObject({ world: '', recording: undefined, quality: 'auto', predict: false });
   expect(parseUrlParameters('?world=sandbox&recording=a.rec&quality=low&predict=1')).toMatchObject({
     world: 'sandbox',
     recording: 'a.rec',
     quality: 'low',
     predict: true,
   });
-  expect(parseUrlParameters('?quality=best&predict=yes')).toMatchObject({ quality: 'high', predict: false });
+  expect(parseUrlParameters('?quality=best&predict=yes')).toMatchObject({ quality: 'auto', predict: false });
 });
 
 function tab(hash: string, stored: Record<string, string> = {}) {

@@ -2,7 +2,8 @@
 
 import { IDEAL_NETWORK, isImpaired, type AreaOfInterest, type NetworkConditions } from '@jostle/client';
 
-export type Quality = 'high' | 'medium' | 'low';
+/** auto: by the duration of frames. */
+export type Quality = 'auto' | 'high' | 'medium' | 'low';
 
 export interface UrlParameters {
   readonly world: string; // id or name; empty: the server's first world
@@ -13,7 +14,7 @@ export interface UrlParameters {
   readonly networkConditions: NetworkConditions | undefined;
 }
 
-const QUALITIES: readonly Quality[] = ['high', 'medium', 'low'];
+const QUALITIES: readonly Quality[] = ['auto', 'high', 'medium', 'low'];
 const INTEREST_MIN = 1; // m
 const INTEREST_MAX = 1e6;
 const KBPS_MIN = 16; // kbit/s; servers reject less
@@ -24,7 +25,7 @@ export function parseUrlParameters(search: string): UrlParameters {
   return {
     world: parameters.get('world') ?? '',
     recording: parameters.get('recording') || undefined,
-    quality: QUALITIES.find((quality) => quality === parameters.get('quality')) ?? 'high',
+    quality: QUALITIES.find((quality) => quality === parameters.get('quality')) ?? 'auto',
     predict: parameters.get('predict') === '1',
     areaOfInterest: parseAreaOfInterest(parameters),
     networkConditions: parseNetworkConditions(parameters),

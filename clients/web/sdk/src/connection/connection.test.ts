@@ -59,6 +59,20 @@ describe('connection', () => {
     ]);
   });
 
+  it('sends the first input after a pause at once, and the following ones with the next batch', async () => {
+    welcome();
+    vi.advanceTimersByTime(100);
+    sockets[0]!.take();
+    connection.send({ kind: { case: 'release', value: {} } });
+    await Promise.resolve();
+    expect(sockets[0]!.take().filter((m) => m.case === 'input').map((b) => b.value.firstSequence)).toEqual([1]);
+    connection.send({ kind: { case: 'release', value: {} } });
+    await Promise.resolve();
+    expect(sockets[0]!.take()).toEqual([]);
+    vi.advanceTimersByTime(67);
+    expect(sockets[0]!.take().filter((m) => m.case === 'input').map((b) => b.value.firstSequence)).toEqual([2]);
+  });
+
   it('sends only the newest target of a drag', () => {
     welcome();
     sockets[0]!.take();

@@ -25,6 +25,7 @@ import { RenderClock } from '../clock/render_clock.js';
 import { renderedTime } from '../interpolation/rendered_time.js';
 import { decodeChannels } from '../snapshot/channels.js';
 import { ControlledStateDecoder, type ControlledEntity } from './word_changes.js';
+import { WorldData } from './world_data.js';
 import {
   AckSchema,
   ClientMessageSchema,
@@ -38,9 +39,11 @@ import {
   type InputResult,
   type InputSchema,
   type Notice,
+  type PlayerEvent,
   type EntityUpdate,
   type ServerMessage,
   type Snapshot,
+  type UserMessage,
   type Welcome,
   type WorldStats,
 } from '../gen/jostle/v1/play_pb.js';
@@ -91,6 +94,12 @@ export interface ConnectionListener {
   inputRejected(result: InputResult): void;
   /** A message from the server for the user. */
   notice(text: string): void;
+  /** A user message of a topic that the client subscribed to, in order. */
+  userMessage?(message: UserMessage): void;
+  /** A player joined, left, was renamed and so on; Connection.data is up to date. */
+  playerEvent?(event: PlayerEvent): void;
+  /** Players or attributes changed. */
+  dataChanged?(data: WorldData): void;
 }
 
 /**
@@ -141,6 +150,16 @@ export interface ConnectionOptions {
   readonly areaOfInterest?: AreaOfInterest | undefined;
   /** Default: the precision of the world. */
   readonly precision?: Precision | undefined;
+  /** Display name, at most 32 bytes; default: "browser". */
+  readonly name?: string | undefined;
+  /** 0xRRGGBB, of the player; default: none. */
+  readonly color?: number | undefined;
+  /** Subscribes to the player list (Connection.data); default: false. */
+  readonly players?: boolean | undefined;
+  /** Subscribes to attributes (Connection.data); default: false. */
+  readonly attributes?: boolean | undefined;
+  /** Topics of user messages to subscribe to, at most 64; "*": all; default: none. */
+  readonly topics?: readonly string[] | undefined;
 }
 
 /** A play stream that reconnects. join() starts it, stop() ends it. */
@@ -152,6 +171,8 @@ export class Connection {
   readonly renderClock = new RenderClock();
   readonly inputClock = new InputClock();
   readonly entities = new Map<number, Entity>();
+  /** Players and attributes that the client subscribed to. */
+  readonly data = new WorldData();
   welcome: Welcome | undefined; // undefined: before the first connection
   bytesReceived = 0;
   snapshots = 0; // decoded
@@ -171,6 +192,7 @@ export class Connection {
   private focus = { x: 0, z: 0 };
   private readonly inputs = new InputQueue<Input>();
   private resumeToken = new Uint8Array(0); // empty: no session to resume
+  private lastUserMessage = 0; // number, in this session; 0: none
   private needKeyframe = false;
   private ackDue = false;
   private lastAck = 0;
@@ -184,6 +206,7 @@ export class Connection {
   private lastNotice: Notice | undefined;
   private predictionListener: PredictionListener | undefined;
   private lastBatch = 0;
+  private sendsSoon = false;
 
   readonly url: string;
   private readonly listener: ConnectionListener;
@@ -193,6 +216,8 @@ export class Connection {
   private readonly channelKinds: readonly string[];
   private readonly areaOfInterest: AreaOfInterest | undefined;
   private readonly precision: Precision | undefined;
+  private readonly identity: { readonly name: string; readonly color?: number };
+  private readonly subscriptions: { readonly players: boolean; readonly attributes: boolean; readonly topics: string[] };
 
   constructor(options: ConnectionOptions) {
     this.url = options.url;
@@ -203,6 +228,8 @@ export class Connection {
     this.channelKinds = options.channelKinds ?? [];
     this.areaOfInterest = options.areaOfInterest;
     this.precision = options.precision;
+    this.identity = { name: options.name ?? 'browser', ...(options.color === undefined ? {} : { color: options.color }) };
+    this.subscriptions = { players: options.players ?? false, attributes: options.attributes ?? false, topics: [...(options.topics ?? [])] };
   }
 
   /**
@@ -263,6 +290,17 @@ export class Connection {
     this.predictionListener?.input(this.inputs.newest, tick, input);
     // Waiting for the next batch would need a larger input lead. Several inputs of one tick share a batch.
     if (tick > 0 && now - this.lastBatch >= this.inputClock.halfTickUs) this.sendInputs(now);
+    else if (tick === 0) this.sendSoon(now);
+  }
+
+  /** Sends the inputs of this task at once, unless the last batch was sent a short time ago. */
+  private sendSoon(now: number): void {
+    if (this.sendsSoon || now - this.lastBatch < BATCH_MS * 1000) return;
+    this.sendsSoon = true;
+    queueMicrotask(() => {
+      this.sendsSoon = false;
+      if (this.state === 'playing' && this.inputs.length > 0) this.sendInputs(nowUs());
+    });
   }
 
   /** Computes the positions of the point objects at the rendered time, on the server's clock. */
@@ -315,13 +353,13 @@ export class Connection {
     socket.onopen = () => {
       const { world, token, joinCode, eventsEnabled: events } = this;
       const channels = [...this.channelKinds];
-      const hello = { protocol: PROTOCOL, world, name: 'browser', events, token, joinCode, channels, codec: NEWEST_CODEC,
+      const hello = { protocol: PROTOCOL, world, ...this.identity, ...this.subscriptions, events, token, joinCode, channels, codec: NEWEST_CODEC,
         maxKbps: this.areaOfInterest?.maxKbps ?? 0,
         packedEntities: true,
         ...(this.areaOfInterest ? { interest: this.interest(this.areaOfInterest) } : {}),
         ...(this.precision ? { precision: { farFactor: 1, ...this.precision } } : {}),
         resumable: true,
-        ...(this.resumeToken.length > 0 ? { resume: { token: this.resumeToken, frame: this.frames.newest?.frame ?? 0 } } : {}),
+        ...(this.resumeToken.length > 0 ? { resume: { token: this.resumeToken, frame: this.frames.newest?.frame ?? 0, message: this.lastUserMessage } } : {}),
       };
       this.sendMessage({ case: 'hello', value: hello });
     };
@@ -409,7 +447,10 @@ export class Connection {
     }
     this.resumeToken = new Uint8Array(welcome.resumeToken);
     if (welcome.resumed) this.inputs.resumeAfter(welcome.lastSequence);
-    else this.inputs.startNewSession();
+    else {
+      this.inputs.startNewSession();
+      this.lastUserMessage = 0;
+    }
     this.resumed += welcome.resumed ? 1 : 0;
     if (!welcome.statePreserved) {
       this.clearWorld(welcome);
@@ -432,6 +473,7 @@ export class Connection {
     this.clock.reset();
     this.entities.clear();
     this.largeShapes.clear();
+    this.data.clear();
     this.controlledEntity.reset();
   }
 
@@ -480,8 +522,19 @@ export class Connection {
       if (this.inputs.onResult(result.sequence) && result.code !== InputCode.APPLIED) this.listener.inputRejected(result);
     if (s.stats) this.listener.stats(s.stats);
     for (const tick of s.events) this.listener.worldEvents(tick);
+    this.onData(s);
     // An ack that waits for the next batch would inflate the measured latency.
     if (this.inputs.length === 0) this.sendAckIfDue();
+  }
+
+  private onData(s: Snapshot): void {
+    this.data.apply(s);
+    for (const { events } of s.players) for (const event of events) this.listener.playerEvent?.(event);
+    if (s.players.length > 0 || s.attributes.length > 0) this.listener.dataChanged?.(this.data);
+    for (const message of s.messages) {
+      this.lastUserMessage = message.number;
+      this.listener.userMessage?.(message);
+    }
   }
 
   private decode(s: Snapshot): void {
@@ -572,8 +625,8 @@ export class Connection {
       this.lastPing = now;
       this.sendMessage({ case: 'ping', value: { clientTimeUs: BigInt(Math.round(now)) } });
     }
-    if (this.inputs.length > 0) this.sendInputs(now);
-    else this.sendAckIfDue();
+    if (this.inputs.length === 0) this.sendAckIfDue();
+    else if (now - this.lastBatch >= BATCH_MS * 500) this.sendInputs(now);
   }
 
   private sendInputs(now: number): void {

@@ -1,6 +1,6 @@
 import { describe, expect, it } from 'vitest';
 import type { Input } from '@jostle/client';
-import { Driving, readControls, cameraYaw, type Pad } from './driving';
+import { combinePads, Driving, readControls, cameraYaw, type Pad } from './driving';
 
 const pad = (axes: number[], pressed: Record<number, number> = {}): Pad => ({
   axes,
@@ -61,4 +61,12 @@ describe('driving', () => {
     expect(cases()).toEqual(['possess', 'possess']);
     expect(driving.keyDown('KeyW')).toBe(false);
   });
+});
+
+it('combines a gamepad with on-screen controls', () => {
+  const pad = (axes: number[], pressed: boolean[]) => ({ axes, buttons: pressed.map((one) => ({ pressed: one, value: one ? 1 : 0 })) });
+  const combined = combinePads(pad([0.2, 0], [false]), pad([-0.8, 0.5], [true, false]))!;
+  expect(combined.axes).toEqual([-0.8, 0.5]);
+  expect(combined.buttons.map(({ pressed }) => pressed)).toEqual([true, false]);
+  expect(combinePads(undefined, undefined)).toBeUndefined();
 });

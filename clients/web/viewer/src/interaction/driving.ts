@@ -1,4 +1,4 @@
-// Sends the input of keys and gamepad to the controlled entity. Axes and buttons are those of Controls
+// Sends the input of keys, gamepad and on-screen controls to the controlled entity. Axes and buttons are those of Controls
 // (docs/guides/game_developer/modules.md).
 
 import type { Input } from '@jostle/client';
@@ -21,7 +21,7 @@ const KEYS: Record<string, [axis: number, value: number]> = {
   ArrowLeft: [AXES.right, -1],
 };
 /** The bit of each button; `pad` is its index in the standard gamepad layout. */
-const BUTTONS: { code: string; pad: number; bit: number }[] = [
+export const BUTTONS: readonly { code: string; pad: number; bit: number }[] = [
   { code: 'Space', pad: 0, bit: 0 },
   { code: 'ShiftLeft', pad: 1, bit: 1 },
   { code: 'KeyE', pad: 5, bit: 2 },
@@ -37,6 +37,20 @@ export interface ControlInput {
 export interface Pad {
   readonly axes: readonly number[];
   readonly buttons: readonly { readonly pressed: boolean; readonly value: number }[];
+}
+
+/** The stronger input of two pads; undefined: one of them. */
+export function combinePads(a: Pad | undefined, b: Pad | undefined): Pad | undefined {
+  if (!a || !b) return a ?? b;
+  const stronger = (x = 0, y = 0) => (Math.abs(y) > Math.abs(x) ? y : x);
+  const length = Math.max(a.buttons.length, b.buttons.length);
+  return {
+    axes: [0, 1].map((axis) => stronger(a.axes[axis], b.axes[axis])),
+    buttons: Array.from({ length }, (_, k) => ({
+      pressed: (a.buttons[k]?.pressed ?? false) || (b.buttons[k]?.pressed ?? false),
+      value: Math.max(a.buttons[k]?.value ?? 0, b.buttons[k]?.value ?? 0),
+    })),
+  };
 }
 
 function stick(value: number | undefined): number {

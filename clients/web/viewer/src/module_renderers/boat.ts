@@ -69,6 +69,7 @@ export const boats: ModuleRenderer = {
   },
   steering: {
     keys: 'W forward · S reverse · A D rudder',
+    buttons: [],
     camera: 'behind',
     distance: 11,
     statusText: ({ values }) => (readBoat(values)?.wet === false ? 'propeller out of the water' : ''),

@@ -76,6 +76,7 @@ export const characters: ModuleRenderer = {
   },
   steering: {
     keys: 'W A S D walk relative to the camera · drag to turn the camera · Space jump · Shift crouch',
+    buttons: ['Jump', 'Crouch'],
     camera: 'free',
     distance: 5.5,
     statusText({ values }) {

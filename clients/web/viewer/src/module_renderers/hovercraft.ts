@@ -60,5 +60,5 @@ export const hovercraft: ModuleRenderer = {
   draw(data, context) {
     for (const one of data) drawHovercraft(one, context);
   },
-  steering: { keys: 'W S forward and back · A D turn', camera: 'behind', distance: 9 },
+  steering: { keys: 'W S forward and back · A D turn', buttons: [], camera: 'behind', distance: 9 },
 };

@@ -32,6 +32,8 @@ export interface ChannelData {
 /** How entities with this kind of channel are controlled. */
 export interface Steering {
   readonly keys: string;
+  /** Labels of the buttons by their bits, for on-screen controls; empty: the bit has no effect. */
+  readonly buttons: readonly string[];
   /** `behind`: the camera turns with the entity. `free`: the entity moves relative to the camera. */
   readonly camera: 'behind' | 'free';
   readonly distance: number; // m, of the camera

@@ -1,5 +1,5 @@
 import * as THREE from 'three';
-import { describe, expect, it } from 'vitest';
+import { describe, expect, it, vi } from 'vitest';
 import type { Channel } from '@jostle/client';
 import type { ModuleRenderer, ChannelData } from './module_renderer';
 import { RENDERED_CHANNEL_KINDS, ModuleView, type FrameInput, type RenderedChannels } from './module_view';
@@ -20,7 +20,7 @@ const drawLines: ModuleRenderer = {
         lines.vertex(x, value, 0, WHITE);
       }
   },
-  steering: { keys: 'W', camera: 'behind', distance: 5, statusText: ({ values }) => `number ${values[0]}` },
+  steering: { keys: 'W', buttons: [], camera: 'behind', distance: 5, statusText: ({ values }) => `number ${values[0]}` },
   bodyColors: (data) => new Map(data.map(({ entity, values }) => [entity, 0x100000 + values[0]!])),
   statusText: (data) => `${data.length} of them`,
 };
@@ -67,12 +67,15 @@ describe('module channels', () => {
     expect(view.lines.count + view.solids.count).toBe(0);
   });
 
-  it('are requested by renderable kinds', () => {
+  it('are requested by renderable kinds', async () => {
     expect(RENDERED_CHANNEL_KINDS).toContain('fields.waves');
     const view = new ModuleView(new THREE.Scene());
     const craft = channel(0, 3, ...new Array<number>(20).fill(0));
-    view.update({ ...rendered(craft), kinds: [{ name: 'hovercraft', divisor: 1 }] }, input(() => [0, 0, 0, 0, 0, 0, 1]));
-    expect(view.lines.count).toBe(8);
+    // The renderer is loaded when the kind appears.
+    await vi.waitFor(() => {
+      view.update({ ...rendered(craft), kinds: [{ name: 'hovercraft', divisor: 1 }] }, input(() => [0, 0, 0, 0, 0, 0, 1]));
+      expect(view.lines.count).toBe(8);
+    });
   });
 
   it('report controllable entities and their keys', () => {

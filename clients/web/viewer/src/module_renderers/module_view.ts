@@ -1,32 +1,29 @@
 // Renders module channels, and reports which entities can be controlled and how. Kinds without a
-// renderer are not subscribed to.
+// renderer are not subscribed to. A renderer is loaded when a world has its kind.
 
 import type * as THREE from 'three';
 import { BlastMarks } from '../scene/blast_marks';
 import type { Channel, Channels } from '@jostle/client';
-import { boats } from './boat';
-import { characters } from './character';
-import { destructibles } from './destruction';
 import type { ModuleRenderer, RenderContext, Steering, ChannelData } from './module_renderer';
-import { fields, waves } from './fields';
-import { hovercraft } from './hovercraft';
-import { ragdolls } from './ragdoll';
-import { vehicles } from './vehicle';
 import type { Entity } from '@jostle/client/gen/play_pb';
 import { Solids } from '../scene/solids';
 import { VertexBuffer } from '../scene/vertex_buffer';
 import { Water } from '../scene/water';
 
+const RETRY_MS = 5000; // after a failed download
+
+export type RendererLoader = () => Promise<ModuleRenderer>;
+
 /** By kind. A new module needs a file in this folder and a line here. */
-const RENDERERS: ReadonlyMap<string, ModuleRenderer> = new Map([
-  ['boat', boats],
-  ['character', characters],
-  ['destruction', destructibles],
-  ['fields', fields],
-  ['fields.waves', waves],
-  ['hovercraft', hovercraft],
-  ['ragdoll', ragdolls],
-  ['vehicle', vehicles],
+const RENDERERS: ReadonlyMap<string, ModuleRenderer | RendererLoader> = new Map<string, RendererLoader>([
+  ['boat', async () => (await import('./boat')).boats],
+  ['character', async () => (await import('./character')).characters],
+  ['destruction', async () => (await import('./destruction')).destructibles],
+  ['fields', async () => (await import('./fields')).fields],
+  ['fields.waves', async () => (await import('./fields')).waves],
+  ['hovercraft', async () => (await import('./hovercraft')).hovercraft],
+  ['ragdoll', async () => (await import('./ragdoll')).ragdolls],
+  ['vehicle', async () => (await import('./vehicle')).vehicles],
 ]);
 
 /** Channel kinds that can be rendered. */
@@ -61,6 +58,8 @@ export class ModuleView {
   debug = false;
   private renderedKinds: readonly KindChannels[] = [];
   private coloredChannels: readonly Channel[] = [];
+  private readonly loaded = new Map<string, ModuleRenderer>();
+  private readonly loading = new Set<string>();
 
   constructor(
     scene: THREE.Scene,
@@ -119,8 +118,20 @@ export class ModuleView {
       .join(' · ');
   }
 
+  /** undefined: not loaded yet, or unknown. */
   private rendererOf({ kinds }: RenderedChannels, kind: number): ModuleRenderer | undefined {
-    return this.renderers.get(kinds[kind]?.name ?? '');
+    const name = kinds[kind]?.name ?? '';
+    const loaded = this.loaded.get(name);
+    const renderer = loaded ? undefined : this.renderers.get(name);
+    if (typeof renderer !== 'function') return loaded ?? renderer;
+    if (!this.loading.has(name)) {
+      this.loading.add(name);
+      renderer().then(
+        (made) => this.loaded.set(name, made),
+        () => setTimeout(() => this.loading.delete(name), RETRY_MS),
+      );
+    }
+    return undefined;
   }
 
   /** Groups channels, which are in ascending order of kind. */

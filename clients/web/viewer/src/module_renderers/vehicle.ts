@@ -95,6 +95,7 @@ export const vehicles: ModuleRenderer = {
   },
   steering: {
     keys: 'W throttle · S brake, then reverse · A D steer · Space hand brake · E Q shift gears (manual gearbox)',
+    buttons: ['Hand brake', '', 'Gear +', 'Gear −'],
     camera: 'behind',
     distance: 8,
     statusText({ values }) {

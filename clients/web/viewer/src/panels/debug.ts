@@ -37,14 +37,12 @@ export class DebugPanel {
   private readonly throttle = new Throttle(QUERY_INTERVAL_MS, () => this.query());
 
   constructor(
-    panel: HTMLElement,
+    content: HTMLElement,
     private readonly queries: Queries,
     private readonly lines: DebugView,
     private readonly view: SceneView,
   ) {
-    const title = document.createElement('h2');
-    title.textContent = 'Debug view';
-    panel.append(title, ...TOGGLES.map(({ toggle, label, hint }) => this.row(toggle, label, hint)), this.note);
+    content.append(...TOGGLES.map(({ toggle, label, hint }) => this.row(toggle, label, hint)), this.note);
     this.note.className = 'note';
   }
 

@@ -17,6 +17,7 @@ export interface DriverState {
   keys: string; // of the controlled entity
   status: string; // of the controlled entity
   worldStatus: string; // of the world
+  touch: boolean; // on-screen controls replace the keys
 }
 
 export class DriverPanel {
@@ -37,17 +38,17 @@ export class DriverPanel {
 
   /** Call once per rendered frame; changes the DOM only when the text changes. */
   update(state: DriverState, controllable: readonly Entity[]): void {
-    const { toolSelected, controlled, keys, status, worldStatus } = state;
+    const { toolSelected, controlled, keys, status, worldStatus, touch } = state;
     this.panel.hidden = !toolSelected && !controlled && worldStatus === '';
     if (this.panel.hidden) return;
     const text = controlled
       ? `Driving ${entityName(controlled, controlled.id)}${status && ` · ${status}`}`
       : toolSelected
         ? controllable.length > 0
-          ? 'Click an entity below an arrow, or choose one:'
+          ? `${touch ? 'Tap' : 'Click'} an entity below an arrow, or choose one:`
           : 'This world has no controllable entities'
         : worldStatus;
-    const help = controlled ? `${keys || 'W A S D or arrows, Space, Shift, E and Q'} · gamepad · Esc releases` : '';
+    const help = controlled && !touch ? `${keys || 'W A S D or arrows, Space, Shift, E and Q'} · gamepad · Esc releases` : '';
     if (this.renderedText !== text + help) {
       this.renderedText = text + help;
       this.line.textContent = text;
@@ -78,9 +79,10 @@ export class DriverPanel {
 }
 
 /** An invitation to take control; empty without controllable entities. */
-export function offerText(controllable: readonly Entity[]): string {
+export function offerText(controllable: readonly Entity[], touch = false): string {
   if (controllable.length === 0) return '';
-  return controllable.length === 1 ? `Press 8 to drive ${entityName(controllable[0], controllable[0]!.id)}` : `Press 8 to drive one of ${controllable.length} entities`;
+  const how = touch ? 'Select Drive to control' : 'Press 8 to drive';
+  return controllable.length === 1 ? `${how} ${entityName(controllable[0], controllable[0]!.id)}` : `${how} one of ${controllable.length} entities`;
 }
 
 const position = new THREE.Vector3();

@@ -12,20 +12,20 @@ export class EventsPanel {
   private changed = true;
 
   constructor(
-    private readonly panel: HTMLElement,
+    content: HTMLElement,
     private readonly marks: HitMarks,
     private readonly setEnabled: (enabled: boolean) => void,
     private readonly nameOf: (entity: number) => string,
   ) {
-    const title = document.createElement('h2');
-    title.textContent = 'Events';
-    panel.append(title, this.list);
+    content.append(this.list);
   }
 
-  toggle(): void {
-    this.panel.hidden = !this.panel.hidden;
-    if (this.panel.hidden) this.clear();
-    this.setEnabled(!this.panel.hidden);
+  opened(): void {
+    this.setEnabled(true);
+  }
+  closed(): void {
+    this.clear();
+    this.setEnabled(false);
   }
 
   clear(): void {
@@ -42,7 +42,7 @@ export class EventsPanel {
 
   /** Call once per rendered frame; updates the DOM at most once, however many events arrived. */
   update(): void {
-    if (!this.changed || this.panel.hidden) return;
+    if (!this.changed) return;
     this.changed = false;
     const { lines } = this.recent;
     const texts = lines.length > 0 ? lines : ['No events yet.'];

@@ -21,6 +21,7 @@ class Plot {
   ) {
     const name = document.createElement('span');
     name.textContent = label;
+    this.canvas.setAttribute('aria-hidden', 'true'); // the value is text
     this.canvas.width = PLOT.width * 2;
     this.canvas.height = PLOT.height * 2;
     this.row.className = 'plot';
@@ -55,7 +56,6 @@ class Plot {
 }
 
 export class StatsPanel {
-  latest: WorldStats | undefined;
   private readonly tick = document.createElement('p');
   private readonly plots = {
     age: new Plot('Latency', ' ms', '#ffd166', 1),
@@ -70,9 +70,9 @@ export class StatsPanel {
   private lastAt = performance.now();
   private frames = 0;
 
-  constructor(panel: HTMLElement, private readonly connection: Connection) {
+  constructor(content: HTMLElement, private readonly connection: Connection) {
     this.tick.className = 'tick';
-    panel.append(this.tick, ...Object.values(this.plots).map((plot) => plot.row));
+    content.append(this.tick, ...Object.values(this.plots).map((plot) => plot.row));
   }
 
   frameRendered(): void {
@@ -81,7 +81,6 @@ export class StatsPanel {
 
   /** Called with each statistics message of the world. */
   update(stats: WorldStats): void {
-    this.latest = stats;
     const now = performance.now();
     const seconds = Math.max(0.01, (now - this.lastAt) / 1000);
     const bytes = this.connection.bytesReceived - this.lastBytes;

@@ -33,21 +33,16 @@ function element<K extends keyof HTMLElementTagNameMap>(
 
 export class WorldsPanel {
   constructor(
-    private readonly panel: HTMLElement,
+    private readonly content: HTMLElement,
+    private readonly close: () => void,
     private readonly join: (world: string) => void,
     private readonly showMessage: (text: string) => void,
     private readonly current: () => string,
     private readonly token = '',
   ) {}
 
-  async toggle(): Promise<void> {
-    if (this.panel.hidden) await this.show();
-    else this.panel.hidden = true;
-  }
-
-  async show(): Promise<void> {
-    this.panel.hidden = false;
-    await this.refresh();
+  opened(): void {
+    void this.refresh();
   }
 
   private async call(path: string, init?: RequestInit): Promise<unknown> {
@@ -79,18 +74,18 @@ export class WorldsPanel {
   }
 
   private render({ worlds, scenes }: Listing): void {
-    this.panel.replaceChildren(element('h2', 'Worlds'));
+    this.content.replaceChildren();
     for (const world of worlds) {
-      this.panel.append(this.worldRow(world));
-      if (world.oldestRestorableTick > 0) this.panel.append(this.restoreRow(world, worlds));
+      this.content.append(this.worldRow(world));
+      if (world.oldestRestorableTick > 0) this.content.append(this.restoreRow(world, worlds));
     }
-    this.panel.append(element('h2', 'New world from a scene'));
+    this.content.append(element('h3', 'New world from a scene'));
     for (const scene of scenes) {
       const row = element('button', '', 'scene');
       row.type = 'button';
       row.append(element('strong', scene.name), element('span', scene.description));
       row.onclick = () => this.run(() => this.create(scene.name, { sceneName: scene.name }, worlds));
-      this.panel.append(row);
+      this.content.append(row);
     }
   }
 
@@ -103,7 +98,7 @@ export class WorldsPanel {
     join.type = 'button';
     join.disabled = isCurrent;
     join.onclick = () => {
-      this.panel.hidden = true;
+      this.close();
       this.join(world.id);
     };
     const remove = element('button', 'Delete', 'danger');
@@ -161,7 +156,7 @@ export class WorldsPanel {
       headers: { 'Content-Type': 'application/json' },
       body: JSON.stringify({ name, ...source }),
     })) as { world: WorldInfo };
-    this.panel.hidden = true;
+    this.close();
     this.join(payload.world.id);
   }
 }

@@ -12,6 +12,7 @@ export class Instances {
   private shapes: Uint32Array;
   private free: number[] = [];
   private used = 0;
+  private order = 0;
   private matricesChanged = false;
   private colorsChanged = false;
 
@@ -28,6 +29,10 @@ export class Instances {
     this.mesh = this.makeMesh(geometry, material, capacity);
   }
 
+  set renderOrder(order: number) {
+    this.mesh.renderOrder = this.order = order;
+  }
+
   private makeMesh(geometry: THREE.BufferGeometry, material: THREE.Material, capacity: number): THREE.InstancedMesh {
     const mesh = new THREE.InstancedMesh(geometry, material, capacity);
     mesh.instanceMatrix.setUsage(THREE.DynamicDrawUsage);
@@ -36,6 +41,7 @@ export class Instances {
     mesh.receiveShadow = true;
     mesh.frustumCulled = false; // instances are spread over the world
     mesh.count = 0;
+    mesh.renderOrder = this.order;
     mesh.userData['instances'] = this;
     this.scene.add(mesh);
     return mesh;

@@ -1,18 +1,28 @@
-// Materials of bodies. Marks that show the orientation of a body are computed by the shader from the
-// position on the unit geometry, so that instances of all sizes share one geometry: dark edges on
-// boxes, a belt on spheres, a stripe on cylinders and cones, lines on the ground. Hulls and meshes have
-// the distances to their creases as an attribute.
+// Materials of bodies, by the kind of a part and the surface of its body. Marks are computed by the
+// shader from the position on the unit geometry, so that instances of all sizes share one geometry: dark
+// edges on boxes, a belt on spheres, a stripe on cylinders and cones, a grid of 1 m and 10 m on the
+// ground. Hulls and meshes have the distances to their creases as an attribute. Kinematic bodies have
+// diagonal stripes; triggers are glass.
 
 import * as THREE from 'three';
 import type { Kind } from './shape_parts';
 
-const VERTEX_HEAD = `
+/** solid: a dynamic body. glass: a trigger. */
+export type Surface = 'solid' | 'static' | 'kinematic' | 'glass';
+
+export const GROUND_KINDS: readonly Kind[] = ['slab', 'plane', 'field'];
+
+const HEAD = `
 varying vec3 vUnit;  // on the unit geometry
 varying vec3 vSize; // m, half extents
+varying vec2 vGrid;  // m
 `;
+// The lines of level ground are at whole metres of the world; those of a slope are in its own axes.
 const VERTEX_BODY = `
 vUnit = position;
 vSize = vec3(length(instanceMatrix[0].xyz), length(instanceMatrix[1].xyz), length(instanceMatrix[2].xyz));
+vec3 gridPosition = instanceMatrix[1].y > 0.999 * vSize.y ? (instanceMatrix * vec4(position, 1.0)).xyz : position * vSize;
+vGrid = gridPosition.xz;
 `;
 const FACET_VERTEX_HEAD = `
 attribute vec3 edge;
@@ -59,15 +69,27 @@ float belt = 1.0 - smoothstep(0.26 - soft, 0.26 + soft, across);
 diffuseColor.rgb = mix(diffuseColor.rgb, vec3(1.0), 0.42 * belt);
 `;
 const LINES = `
-vec2 meters = vUnit.xz * vSize.xz;
 for (int i = 0; i < 2; i++) {
-  float spacing = i == 0 ? 1.0 : 5.0;
-  vec2 at = meters / spacing;
+  vec2 at = vGrid / (i == 0 ? 1.0 : 10.0);
   vec2 blur = max(fwidth(at), vec2(1e-6));
   vec2 away = abs(fract(at - 0.5) - 0.5) / blur;
   vec2 line = (1.0 - min(away, 1.0)) * (1.0 - smoothstep(0.15, 0.5, blur));
-  diffuseColor.rgb *= 1.0 - (i == 0 ? 0.10 : 0.16) * max(line.x, line.y);
+  diffuseColor.rgb *= 1.0 - (i == 0 ? 0.16 : 0.30) * max(line.x, line.y);
 }
+`;
+// 0.25 m wide, and at least four on a body.
+const HAZARD = `
+vec3 hazardAt = vUnit * vSize;
+float hazardWidth = min(0.25, 0.35 * max(vSize.x, max(vSize.y, vSize.z)));
+float hazard = (hazardAt.x + hazardAt.y + hazardAt.z) / hazardWidth;
+float hazardBlur = max(fwidth(hazard), 1e-5);
+float hazardStripe = smoothstep(0.5 - hazardBlur, 0.5 + hazardBlur, abs(fract(0.5 * hazard) - 0.5) * 2.0);
+diffuseColor.rgb = mix(diffuseColor.rgb, mix(vec3(0.03), vec3(0.95, 0.62, 0.08), hazardStripe), 0.45 * (1.0 - smoothstep(0.5, 1.5, hazardBlur)));
+`;
+// Glass is clearer where it is seen from the front.
+const GLASS = `
+float facing = abs(dot(normalize(cross(dFdx(vViewPosition), dFdy(vViewPosition))), normalize(vViewPosition)));
+diffuseColor.a *= mix(0.55, 0.16, facing);
 `;
 const MARKS: Partial<Record<Kind, string>> = {
   box: EDGES,
@@ -81,57 +103,30 @@ const MARKS: Partial<Record<Kind, string>> = {
   mesh: CREASES,
 };
 
-export function materialFor(kind: Kind): THREE.Material {
-  const ground = kind === 'slab' || kind === 'plane' || kind === 'field';
+const ROUGHNESS: Record<Surface, number> = { solid: 0.48, static: 0.85, kinematic: 0.4, glass: 0.12 };
+
+export function materialFor(kind: Kind, surface: Surface): THREE.Material {
+  const ground = GROUND_KINDS.includes(kind);
   const creased = kind === 'hull' || kind === 'mesh';
+  const glass = surface === 'glass';
   const material = new THREE.MeshStandardMaterial({
-    roughness: ground ? 0.95 : 0.6,
-    metalness: 0,
+    roughness: ground && !glass ? 0.95 : ROUGHNESS[surface],
+    metalness: surface === 'kinematic' ? 0.25 : 0,
     flatShading: kind === 'field',
+    transparent: glass,
+    depthWrite: !glass,
     // Terrain and open meshes are visible from both sides.
-    side: kind === 'field' || kind === 'mesh' ? THREE.DoubleSide : THREE.FrontSide,
+    side: kind === 'field' || kind === 'mesh' || glass ? THREE.DoubleSide : THREE.FrontSide,
   });
-  const marks = MARKS[kind];
-  if (marks === undefined) return material;
+  const marks = (MARKS[kind] ?? '') + (surface === 'kinematic' ? HAZARD : glass ? GLASS : '');
   material.onBeforeCompile = (shader) => {
     shader.vertexShader = shader.vertexShader
-      .replace('#include <common>', `#include <common>${creased ? FACET_VERTEX_HEAD : VERTEX_HEAD}`)
-      .replace('#include <begin_vertex>', `#include <begin_vertex>${creased ? FACET_VERTEX_BODY : VERTEX_BODY}`);
+      .replace('#include <common>', `#include <common>${HEAD}${creased ? FACET_VERTEX_HEAD : ''}`)
+      .replace('#include <begin_vertex>', `#include <begin_vertex>${VERTEX_BODY}${creased ? FACET_VERTEX_BODY : ''}`);
     shader.fragmentShader = shader.fragmentShader
-      .replace('#include <common>', `#include <common>${creased ? FACET_FRAGMENT_HEAD : VERTEX_HEAD}`)
+      .replace('#include <common>', `#include <common>${HEAD}${creased ? FACET_FRAGMENT_HEAD : ''}`)
       .replace('#include <color_fragment>', `#include <color_fragment>${marks}`);
   };
-  material.customProgramCacheKey = () => marks;
+  material.customProgramCacheKey = () => marks + String(creased);
   return material;
-}
-
-/** Sky dome: the color of the fog at the horizon, darker above. */
-export function makeSky(horizon: THREE.Color, above: THREE.Color): THREE.Mesh {
-  const material = new THREE.ShaderMaterial({
-    side: THREE.BackSide,
-    depthWrite: false,
-    depthTest: false,
-    fog: false,
-    toneMapped: false,
-    uniforms: { horizon: { value: horizon }, above: { value: above } },
-    vertexShader: `
-      varying vec3 vDirection;
-      void main() {
-        vDirection = position;
-        gl_Position = projectionMatrix * vec4(mat3(viewMatrix) * position, 1.0);
-      }`,
-    fragmentShader: `
-      uniform vec3 horizon;
-      uniform vec3 above;
-      varying vec3 vDirection;
-      void main() {
-        float height = max(0.0, normalize(vDirection).y);
-        gl_FragColor = vec4(mix(horizon, above, pow(min(1.0, height * 2.2), 0.7)), 1.0);
-        #include <colorspace_fragment>
-      }`,
-  });
-  const sky = new THREE.Mesh(new THREE.SphereGeometry(100, 24, 16), material);
-  sky.frustumCulled = false;
-  sky.renderOrder = -1;
-  return sky;
 }

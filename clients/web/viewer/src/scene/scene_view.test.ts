@@ -1,4 +1,5 @@
 import { create } from '@bufbuild/protobuf';
+import * as THREE from 'three';
 import { expect, it } from 'vitest';
 import { FrameBuffer, RenderedPoses } from '@jostle/client';
 import { EntitySchema, type Entity } from '@jostle/client/gen/play_pb';
@@ -123,6 +124,6 @@ it('colors bodies without an ownColor color and computes the bounds of all but g
   poses.update(frames, 0, 0);
   view.update(poses);
   expect([view.colorOf(2), view.colorOf(3)]).toEqual([0xabcdef, 0x123456]);
-  const { min, max } = view.bounds();
+  const { min, max } = new THREE.Box3().setFromPoints(view.extent());
   expect([min.x, max.x]).toEqual([-4, 6]);
 });

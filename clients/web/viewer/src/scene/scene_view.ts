@@ -1,13 +1,15 @@
 // Bodies as instanced meshes: one mesh per geometry, one instance per part of a body. Per rendered
 // frame only the matrices of moved bodies are written, without allocations. Equal hulls, meshes and
-// height fields share a geometry, which is disposed with the last of them; unit geometries stay.
+// height fields share a geometry, which is disposed with the last of them; unit geometries of solid
+// surfaces stay.
 
 import * as THREE from 'three';
 import { BodyType } from '@jostle/client/gen/scene_pb';
 import type { Entity } from '@jostle/client/gen/play_pb';
 import { POSE_FLOATS, type RenderedPoses } from '@jostle/client';
 import { Instances } from './instances';
-import { makeSky, materialFor } from './materials';
+import { GROUND_KINDS, materialFor, type Surface } from './materials';
+import { sceneExtent, type PlacedBody } from './scene_extent';
 import { partsOf, UNIT_GEOMETRIES, UNIT_KINDS, type Kind, type ShapePart } from './shape_parts';
 
 interface Part {
@@ -21,23 +23,24 @@ interface RenderedEntity {
   readonly parts: readonly Part[];
   readonly color: number;
   readonly pose: Float64Array; // NaN until the first rendered frame
+  readonly radius: number; // m, half the smallest extent of its parts
   asleep: boolean | undefined; // as colored; undefined: to be colored
 }
 
 const PALETTE = [0x5b8def, 0xe07a5f, 0xf2cc8f, 0x6bb392, 0xa78bfa, 0xef8354, 0x4cc9c0, 0xe66a9c];
 const OWN_COLOR = 0xffd166;
-const STATIC_COLOR = 0x66727f;
+const STATIC_COLOR = 0x93a0ad;
+const GROUND_COLOR = 0x7f8b97;
+const KINEMATIC_COLOR = 0xb9c3cd;
+const TRIGGER_COLOR = 0x58d6e8;
 const ASLEEP_GRAY = new THREE.Color(0x39424c);
 const ASLEEP_WEIGHT = 0.3;
 // In the debug view.
 const ASLEEP_MARK = new THREE.Color(0x2f6fd6);
 const ASLEEP_MARK_WEIGHT = 0.75;
 const NO_ISLAND = 0x8d959e;
-const HORIZON = new THREE.Color(0x3b4c5e);
-const ZENITH = new THREE.Color(0x0e141c);
-const SUN = new THREE.Vector3(18, 30, 12).normalize().multiplyScalar(60); // m, from the target of the camera
-const SHADOW_PIXELS = 2048;
 const GROUND_WIDTH = 45; // m: wider parts are ground
+const GROUND_WIDTH_MAX = 400; // m: wider ground is never shown as a whole
 const GEOMETRY_CAPACITY = 8; // initial instances
 const FLAT_GROUND: readonly Kind[] = ['plane', 'slab']; // casts no shadow
 
@@ -51,44 +54,38 @@ const color = new THREE.Color();
 export class SceneView {
   readonly scene = new THREE.Scene();
   private readonly geometries = new Map<string, Instances>(); // by the key of a part
-  private readonly materials = new Map<Kind, THREE.Material>();
+  private readonly materials = new Map<string, THREE.Material>(); // by surface and kind
   private readonly rendered = new Map<number, RenderedEntity>();
-  private readonly sun = new THREE.DirectionalLight(0xfff1dc, 2.7);
-  private shadowReach = 0;
   private tints: ReadonlyMap<number, number> | undefined;
   private bodyColors: ReadonlyMap<number, number> = new Map();
   private asleepMarked = false;
 
   constructor() {
-    this.scene.fog = new THREE.Fog(HORIZON, 45, 170);
-    this.scene.add(makeSky(HORIZON, ZENITH));
-    this.scene.add(new THREE.HemisphereLight(0xcfe0f5, 0x4f4a42, 1.35));
-    this.sun.castShadow = true;
-    this.sun.shadow.mapSize.set(SHADOW_PIXELS, SHADOW_PIXELS);
-    this.sun.shadow.bias = -0.0004;
-    this.sun.shadow.normalBias = 0.03;
-    this.scene.add(this.sun, this.sun.target);
-    for (const kind of UNIT_KINDS) this.addInstances(kind, kind, UNIT_GEOMETRIES[kind]());
-    this.updateSun(new THREE.Vector3(), 25);
+    for (const kind of UNIT_KINDS) this.addInstances(kind, kind, 'solid', UNIT_GEOMETRIES[kind]());
   }
 
-  private addInstances(key: string, kind: Kind, geometry: THREE.BufferGeometry, room?: number): Instances {
-    let material = this.materials.get(kind);
-    if (!material) this.materials.set(kind, (material = materialFor(kind)));
-    const instances = new Instances(this.scene, kind, geometry, material, !FLAT_GROUND.includes(kind), room);
+  private addInstances(key: string, kind: Kind, surface: Surface, geometry: THREE.BufferGeometry, room?: number): Instances {
+    const materialKey = `${surface} ${kind}`;
+    let material = this.materials.get(materialKey);
+    if (!material) this.materials.set(materialKey, (material = materialFor(kind, surface)));
+    const instances = new Instances(this.scene, kind, geometry, material, surface !== 'glass' && !FLAT_GROUND.includes(kind), room);
+    // Opaque bodies first, so that triggers show what is inside of them.
+    if (surface === 'glass') instances.renderOrder = 2;
     this.geometries.set(key, instances);
     return instances;
   }
 
-  private instancesFor({ key, kind, geometry }: ShapePart): Instances | undefined {
+  private instancesFor({ key: shapeKey, kind, geometry }: ShapePart, surface: Surface): Instances | undefined {
+    const key = surface === 'solid' ? shapeKey : `${surface} ${shapeKey}`;
     const known = this.geometries.get(key);
     if (known) return known;
     const made = geometry();
-    return made && this.addInstances(key, kind, made, GEOMETRY_CAPACITY);
+    return made && this.addInstances(key, kind, surface, made, GEOMETRY_CAPACITY);
   }
 
+  /** Meshes of all bodies, without triggers, which pointers and rays pass through. */
   get objects(): THREE.InstancedMesh[] {
-    return [...this.geometries.values()].map((instances) => instances.mesh);
+    return [...this.geometries.entries()].filter(([key]) => !key.startsWith('glass ')).map(([, { mesh }]) => mesh);
   }
 
   /** Number of parts of each kind. */
@@ -102,22 +99,6 @@ export class SceneView {
   ownerAt(mesh: THREE.Object3D, slot: number): { entity: number; shape: number } {
     const instances = mesh.userData['instances'] as Instances | undefined;
     return { entity: instances?.entityAt(slot) ?? 0, shape: instances?.shapeAt(slot) ?? 0 };
-  }
-
-  /** Moves the shadows to the target of the camera; their resolution depends on the distance. */
-  updateSun(target: THREE.Vector3, distance: number): void {
-    const reach = Math.min(112, 14 * 2 ** Math.max(0, Math.ceil(Math.log2(distance / 14))));
-    if (reach !== this.shadowReach) {
-      this.shadowReach = reach;
-      const { camera } = this.sun.shadow;
-      Object.assign(camera, { left: -reach, right: reach, top: reach, bottom: -reach, near: 1, far: 60 + 2 * reach });
-      camera.updateProjectionMatrix();
-    }
-    // Quantized, so that camera moves do not make the edges of shadows crawl.
-    const grain = reach / 16;
-    const { position } = this.sun.target;
-    position.copy(target).divideScalar(grain).round().multiplyScalar(grain);
-    this.sun.position.copy(position).add(SUN);
   }
 
   /** The set of entities changed. */
@@ -139,14 +120,19 @@ export class SceneView {
 
   private addEntity(entity: Entity, clientId: number): RenderedEntity {
     const parts: Part[] = [];
+    let radius = Infinity;
     entity.shapes.forEach((shape, number) => {
+      const surface = surfaceOf(entity, shape.trigger);
       for (const part of partsOf(shape)) {
-        const instances = this.instancesFor(part);
-        if (instances) parts.push({ instances, slot: instances.acquire(entity.id, number), local: part.local });
+        const instances = this.instancesFor(part, surface);
+        if (!instances) continue;
+        parts.push({ instances, slot: instances.acquire(entity.id, number), local: part.local });
+        radius = Math.min(radius, halfExtent(instances.mesh.geometry, part.local));
       }
     });
     const pose = new Float64Array(POSE_FLOATS).fill(NaN);
-    return { entity, parts, color: colorOf(entity, clientId), pose, asleep: undefined };
+    const ground = parts.some(({ instances }) => GROUND_KINDS.includes(instances.kind));
+    return { entity, parts, color: colorOf(entity, clientId, ground), pose, radius, asleep: undefined };
   }
 
   /** Applies the current poses. */
@@ -224,21 +210,36 @@ export class SceneView {
     return pose && !Number.isNaN(pose[0]!) ? pose : undefined;
   }
 
-  /** Bounding box of all parts but ground. */
-  bounds(): THREE.Box3 {
-    const box = new THREE.Box3();
-    const part = new THREE.Box3();
-    for (const { parts, pose } of this.rendered.values()) {
+  /** Half the smallest extent of a body in m; undefined: it has no parts. */
+  radiusOf(id: number): number | undefined {
+    const radius = this.rendered.get(id)?.radius;
+    return radius !== undefined && radius < Infinity ? radius : undefined;
+  }
+
+  /** Bounding box of a body in its rendered pose; empty: it has none. */
+  boxOf(id: number): THREE.Box3 {
+    const rendered = this.rendered.get(id);
+    return rendered && !Number.isNaN(rendered.pose[0]!) ? boxOfParts(rendered.parts, Infinity) : new THREE.Box3();
+  }
+
+  /**
+   * Points that a view of the scene should show: without bodies that rolled away, and without ground
+   * unless there is nothing else.
+   */
+  extent(): THREE.Vector3[] {
+    const points = sceneExtent(this.placedBodies(GROUND_WIDTH));
+    return points.length > 0 ? points : sceneExtent(this.placedBodies(GROUND_WIDTH_MAX));
+  }
+
+  /** Bodies without parts that are wider than `widthMax` in m. */
+  private placedBodies(widthMax: number): PlacedBody[] {
+    const bodies: PlacedBody[] = [];
+    for (const { parts, pose, entity } of this.rendered.values()) {
       if (Number.isNaN(pose[0]!)) continue;
-      for (const { instances, slot } of parts) {
-        instances.mesh.geometry.boundingBox ?? instances.mesh.geometry.computeBoundingBox();
-        instances.mesh.getMatrixAt(slot, partMatrix);
-        part.copy(instances.mesh.geometry.boundingBox!).applyMatrix4(partMatrix);
-        const width = Math.max(part.max.x - part.min.x, part.max.z - part.min.z);
-        if (width < GROUND_WIDTH) box.union(part);
-      }
+      const box = boxOfParts(parts, widthMax);
+      if (!box.isEmpty()) bodies.push({ box, dynamic: entity.mass > 0 });
     }
-    return box;
+    return bodies;
   }
 
   /** The rendered pose of a dynamic body. */
@@ -253,9 +254,37 @@ export class SceneView {
   }
 }
 
-function colorOf(entity: Entity, clientId: number): number {
+function boxOfParts(parts: readonly Part[], widthMax: number): THREE.Box3 {
+  const box = new THREE.Box3();
+  const partBox = new THREE.Box3();
+  for (const { instances, slot } of parts) {
+    const { mesh } = instances;
+    mesh.geometry.boundingBox ?? mesh.geometry.computeBoundingBox();
+    mesh.getMatrixAt(slot, partMatrix);
+    partBox.copy(mesh.geometry.boundingBox!).applyMatrix4(partMatrix);
+    if (Math.max(partBox.max.x - partBox.min.x, partBox.max.z - partBox.min.z) < widthMax) box.union(partBox);
+  }
+  return box;
+}
+
+function halfExtent(geometry: THREE.BufferGeometry, local: THREE.Matrix4): number {
+  geometry.boundingBox ?? geometry.computeBoundingBox();
+  const size = geometry.boundingBox!.getSize(vector);
+  const scale = new THREE.Vector3().setFromMatrixScale(local);
+  return Math.min(size.x * scale.x, size.y * scale.y, size.z * scale.z) / 2;
+}
+
+function surfaceOf({ type, mass }: Entity, trigger: boolean): Surface {
+  if (trigger) return 'glass';
+  if (type === BodyType.KINEMATIC) return 'kinematic';
+  return type === BodyType.STATIC && mass <= 0 ? 'static' : 'solid';
+}
+
+function colorOf(entity: Entity, clientId: number, ground: boolean): number {
   if (entity.color !== undefined) return entity.color;
-  if (entity.type === BodyType.STATIC) return STATIC_COLOR;
+  if (entity.shapes.length > 0 && entity.shapes.every(({ trigger }) => trigger)) return TRIGGER_COLOR;
+  if (entity.type === BodyType.KINEMATIC) return KINEMATIC_COLOR;
+  if (entity.type === BodyType.STATIC) return ground ? GROUND_COLOR : STATIC_COLOR;
   if (entity.owner !== 0) return entity.owner === clientId ? OWN_COLOR : PALETTE[entity.owner % PALETTE.length]!;
   return PALETTE[entity.id % PALETTE.length]!;
 }

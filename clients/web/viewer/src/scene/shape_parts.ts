@@ -33,7 +33,7 @@ export const UNIT_GEOMETRIES: Record<UnitKind, () => THREE.BufferGeometry> = {
 };
 
 const SLAB_HALF = 30; // m
-const PLANE_HALF = 500; // m
+const PLANE_HALF = 2000; // m, beyond the fog
 const UP = new THREE.Vector3(0, 1, 0);
 const ONE = new THREE.Vector3(1, 1, 1);
 const UPSIDE_DOWN = new THREE.Quaternion().setFromAxisAngle(new THREE.Vector3(1, 0, 0), Math.PI);

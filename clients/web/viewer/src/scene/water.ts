@@ -130,7 +130,7 @@ export class Water {
           highest: { value: 0 },
           waves: { value: pairs() },
           waveVectors: { value: pairs() },
-          sun: { value: new THREE.Vector3(18, 30, 12).normalize() },
+          sun: { value: new THREE.Vector3(-14, 28, 17).normalize() },
         },
       ]),
       transparent: true,

@@ -42,6 +42,11 @@ struct ClientOptions {
     /// Channel kinds to subscribe to (WorldView::channels() and points()); "*": all kinds of
     /// modules; "points:*": all kinds with point objects. The server sends no other kinds.
     std::vector<std::string> channels = {};
+    bool players = false;     ///< subscribes to the player list: WorldView::data()
+    bool attributes = false;  ///< subscribes to attributes: WorldView::data()
+    /// Topics of user messages to subscribe to, at most 64: Client::take_messages(); "*": all.
+    std::vector<std::string> topics = {};
+    std::optional<std::uint32_t> color = {};  ///< 0xRRGGBB, of the player; absent: none
     /// The highest snapshot codec to request, 1 or 2. Codec 2 needs two thirds of the bytes of
     /// codec 1 and about twice the time to decode.
     std::uint32_t codec = 2;

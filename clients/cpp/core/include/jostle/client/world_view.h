@@ -16,6 +16,7 @@
 
 #include "jostle/base/result.h"
 #include "jostle/client/point_objects.h"
+#include "jostle/client/world_data.h"
 #include "jostle/snapshot/channel_codec.h"
 #include "jostle/snapshot/frame_codec.h"
 #include "jostle/snapshot/quantize.h"
@@ -48,6 +49,10 @@ public:
 
     /// Applies the point objects of a snapshot, before or after apply(); see PointObjects::apply().
     Status apply_points(const v1::Snapshot& snapshot) { return points_.apply(snapshot); }
+
+    /// Applies the players and attributes of a snapshot, before or after apply(). They do not
+    /// depend on the poses.
+    void apply_data(const v1::Snapshot& snapshot) { data_.apply(snapshot); }
 
     /// Applies the state of the controlled entity. Returns an error if its baseline is unknown; the
     /// next keyframe is accepted again.
@@ -96,6 +101,9 @@ public:
     PointObjects& points() { return points_; }
     const PointObjects& points() const { return points_; }
 
+    /// Players and attributes.
+    const WorldData& data() const { return data_; }
+
     /// The state of the entity that this client controls, for prediction
     /// (jostle/modules/controlled_entity_state.h defines the words, which are untrusted). Entity 0:
     /// not received yet. The last received state is stored.
@@ -133,6 +141,7 @@ private:
     std::map<std::uint32_t, v1::Entity> entities_;
     std::map<std::uint64_t, v1::Shape> geometry_;  // chunked shapes, by id
     PointObjects points_;
+    WorldData data_;
     ControlledEntityState controlled_entity_;
     struct PartialGeometry {
         std::uint64_t id = 0;

@@ -20,7 +20,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file jostle/v1/play.proto.
  */
 export const file_jostle_v1_play: GenFile = /*@__PURE__*/
-  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIvEBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAEicKCGludGVyZXN0GAYgASgLMhMuam9zdGxlLnYxLkludGVyZXN0SABCCQoHbWVzc2FnZSKFAwoFSGVsbG8SEAoIcHJvdG9jb2wYASABKA0SDQoFd29ybGQYAiABKAkSDgoGdGlja2V0GAMgASgJEgwKBG5hbWUYBCABKAkSEwoLc25hcHNob3RfaHoYBSABKA0SEQoJc3BlY3RhdG9yGAYgASgIEg4KBmV2ZW50cxgHIAEoCBINCgV0b2tlbhgIIAEoCRIQCghjaGFubmVscxgJIAMoCRINCgVjb2RlYxgKIAEoDRIQCghtYXhfa2JwcxgLIAEoDRIlCghpbnRlcmVzdBgOIAEoCzITLmpvc3RsZS52MS5JbnRlcmVzdBInCglwcmVjaXNpb24YDyABKAsyFC5qb3N0bGUudjEuUHJlY2lzaW9uEhcKD3BhY2tlZF9lbnRpdGllcxgQIAEoCBIRCglkYXRhZ3JhbXMYFCABKAgSEQoJcmVzdW1hYmxlGDwgASgIEiEKBnJlc3VtZRg9IAEoCzIRLmpvc3RsZS52MS5SZXN1bWUSEQoJam9pbl9jb2RlGEsgASgJIiYKBlJlc3VtZRINCgV0b2tlbhgBIAEoDBINCgVmcmFtZRgCIAEoDSI6CghJbnRlcmVzdBIeCgVmb2N1cxgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEg4KBnJhZGl1cxgCIAEoASJ7CgpJbnB1dEJhdGNoEhYKDmZpcnN0X3NlcXVlbmNlGAEgASgNEiAKBmlucHV0cxgCIAMoCzIQLmpvc3RsZS52MS5JbnB1dBIbCgNhY2sYAyABKAsyDi5qb3N0bGUudjEuQWNrEhYKDmNsaWVudF90aW1lX3VzGAQgASgHIuEDCgVJbnB1dBImCgVzcGF3bhgBIAEoCzIVLmpvc3RsZS52MS5TcGF3bklucHV0SAASKgoHaW1wdWxzZRgCIAEoCzIXLmpvc3RsZS52MS5JbXB1bHNlSW5wdXRIABIkCgRncmFiGAMgASgLMhQuam9zdGxlLnYxLkdyYWJJbnB1dEgAEiQKBGRyYWcYBCABKAsyFC5qb3N0bGUudjEuRHJhZ0lucHV0SAASKgoHcmVsZWFzZRgFIAEoCzIXLmpvc3RsZS52MS5SZWxlYXNlSW5wdXRIABIoCgZkZWxldGUYBiABKAsyFi5qb3N0bGUudjEuRGVsZXRlSW5wdXRIABIqCgdleHBsb2RlGAcgASgLMhcuam9zdGxlLnYxLkV4cGxvZGVJbnB1dEgAEioKB3Bvc3Nlc3MYCCABKAsyFy5qb3N0bGUudjEuUG9zc2Vzc0lucHV0SAASKgoHY29udHJvbBgJIAEoCzIXLmpvc3RsZS52MS5Db250cm9sSW5wdXRIABIiCgNjdXQYCiABKAsyEy5qb3N0bGUudjEuQ3V0SW5wdXRIABIkCgRyb29tGA0gASgLMhQuam9zdGxlLnYxLlJvb21JbnB1dEgAEgwKBHRpY2sYDyABKA1CBgoEa2luZCLmAQoKU3Bhd25JbnB1dBIfCgVzaGFwZRgBIAEoCzIQLmpvc3RsZS52MS5TaGFwZRIhCghwb3NpdGlvbhgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAMgASgLMg8uam9zdGxlLnYxLlF1YXQSKAoPbGluZWFyX3ZlbG9jaXR5GAQgASgLMg8uam9zdGxlLnYxLlZlYzMSKQoQYW5ndWxhcl92ZWxvY2l0eRgFIAEoCzIPLmpvc3RsZS52MS5WZWMzEhIKBWNvbG9yGAYgASgHSACIAQFCCAoGX2NvbG9yIn8KA0FpbRIfCgZvcmlnaW4YASABKAsyDy5qb3N0bGUudjEuVmVjMxIfCgZtb3Rpb24YAiABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZpZ25vcmUYAyABKA0SJgoJdmlld190aW1lGAQgASgLMhMuam9zdGxlLnYxLlZpZXdUaW1lIo0BCgxJbXB1bHNlSW5wdXQSDgoGZW50aXR5GAEgASgNEiAKB2ltcHVsc2UYAiABKAsyDy5qb3N0bGUudjEuVmVjMxIeCgVwb2ludBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzEhsKA2FpbRgEIAEoCzIOLmpvc3RsZS52MS5BaW0SDgoGb2JqZWN0GAUgASgNImgKCUdyYWJJbnB1dBIOCgZlbnRpdHkYASABKA0SHgoFcG9pbnQYAiABKAsyDy5qb3N0bGUudjEuVmVjMxIbCgNhaW0YAyABKAsyDi5qb3N0bGUudjEuQWltEg4KBm9iamVjdBgEIAEoDSIsCglEcmFnSW5wdXQSHwoGdGFyZ2V0GAEgASgLMg8uam9zdGxlLnYxLlZlYzMiDgoMUmVsZWFzZUlucHV0Ih0KC0RlbGV0ZUlucHV0Eg4KBmVudGl0eRgBIAEoDSJrCgxFeHBsb2RlSW5wdXQSHwoGY2VudGVyGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBEg0KBXNwZWVkGAMgASgBEhsKA2FpbRgEIAEoCzIOLmpvc3RsZS52MS5BaW0iVwoIQ3V0SW5wdXQSDgoGb2JqZWN0GAEgASgNEh4KBXBvaW50GAIgASgLMg8uam9zdGxlLnYxLlZlYzMSGwoDYWltGAMgASgLMg4uam9zdGxlLnYxLkFpbSIeCgxQb3NzZXNzSW5wdXQSDgoGZW50aXR5GAEgASgNIi0KDENvbnRyb2xJbnB1dBIMCgRheGVzGAEgAygREg8KB2J1dHRvbnMYAiABKA0ijQQKCVJvb21JbnB1dBIrCghzZXRfcm9sZRgBIAEoCzIXLmpvc3RsZS52MS5TZXRSb2xlSW5wdXRIABIkCgRraWNrGAIgASgLMhQuam9zdGxlLnYxLktpY2tJbnB1dEgAEiIKA2JhbhgDIAEoCzITLmpvc3RsZS52MS5CYW5JbnB1dEgAEiYKBXVuYmFuGAQgASgLMhUuam9zdGxlLnYxLlVuYmFuSW5wdXRIABIkCgRtdXRlGAUgASgLMhQuam9zdGxlLnYxLk11dGVJbnB1dEgAEisKCGNsZWFuX3VwGAYgASgLMhcuam9zdGxlLnYxLkNsZWFuVXBJbnB1dEgAEioKB3Byb3RlY3QYByABKAsyFy5qb3N0bGUudjEuUHJvdGVjdElucHV0SAASLgoJdW5wcm90ZWN0GAggASgLMhkuam9zdGxlLnYxLlVucHJvdGVjdElucHV0SAASLQoJdm90ZV9raWNrGAkgASgLMhguam9zdGxlLnYxLlZvdGVLaWNrSW5wdXRIABImCgVwYXVzZRgKIAEoCzIVLmpvc3RsZS52MS5QYXVzZUlucHV0SAASJgoFcmVzZXQYCyABKAsyFS5qb3N0bGUudjEuUmVzZXRJbnB1dEgAEisKCHNldHRpbmdzGAwgASgLMhcuam9zdGxlLnYxLlJvb21TZXR0aW5nc0gAQgYKBGtpbmQiQwoMU2V0Um9sZUlucHV0Eg4KBmNsaWVudBgBIAEoDRIjCgRyb2xlGAIgASgOMhUuam9zdGxlLnYxLlBsYXllclJvbGUiKwoJS2lja0lucHV0Eg4KBmNsaWVudBgBIAEoDRIOCgZyZWFzb24YAiABKAkiOwoIQmFuSW5wdXQSDgoGY2xpZW50GAEgASgNEg8KB3NlY29uZHMYAiABKAESDgoGcmVhc29uGAMgASgJIhwKClVuYmFuSW5wdXQSDgoGbWVtYmVyGAEgASgJIiwKCU11dGVJbnB1dBIOCgZjbGllbnQYASABKA0SDwoHc2Vjb25kcxgCIAEoASIeCgxDbGVhblVwSW5wdXQSDgoGY2xpZW50GAEgASgNIjYKDFByb3RlY3RJbnB1dBImCgRhcmVhGAEgASgLMhguam9zdGxlLnYxLlByb3RlY3RlZEFyZWEiHgoOVW5wcm90ZWN0SW5wdXQSDAoEbmFtZRgBIAEoCSIfCg1Wb3RlS2lja0lucHV0Eg4KBmNsaWVudBgBIAEoDSIcCgpQYXVzZUlucHV0Eg4KBnBhdXNlZBgBIAEoCCIMCgpSZXNldElucHV0IlMKA0FjaxINCgVmcmFtZRgBIAEoDRIVCg1uZWVkX2tleWZyYW1lGAIgASgIEhQKDGFja19kZWxheV9tcxgDIAEoDRIQCghhY2tfYml0cxgIIAEoByIeCgRQaW5nEhYKDmNsaWVudF90aW1lX3VzGAEgASgGIgcKBUxlYXZlIsACCg1TZXJ2ZXJNZXNzYWdlEiUKB3dlbGNvbWUYASABKAsyEi5qb3N0bGUudjEuV2VsY29tZUgAEjAKDWVudGl0eV91cGRhdGUYAiABKAsyFy5qb3N0bGUudjEuRW50aXR5VXBkYXRlSAASJwoIc25hcHNob3QYAyABKAsyEy5qb3N0bGUudjEuU25hcHNob3RIABIfCgRwb25nGAUgASgLMg8uam9zdGxlLnYxLlBvbmdIABIjCgZub3RpY2UYByABKAsyES5qb3N0bGUudjEuTm90aWNlSAASLAoIZ2VvbWV0cnkYCSABKAsyGC5qb3N0bGUudjEuR2VvbWV0cnlDaHVua0gAQgkKB21lc3NhZ2VKBAgEEAVKBAgGEAdKBAgIEAlSDWlucHV0X3Jlc3VsdHNSBXN0YXRzUgZldmVudHMiWgoKQ2VsbFVwZGF0ZRIMCgRjZWxsGAEgASgNEg4KBm51bWJlchgCIAEoDRIRCgliYXNlbGluZXMYAyABKA0SDgoGcGFja2VkGAQgASgMEgsKA2NyYxgFIAEoByK/BAoHV2VsY29tZRIRCgljbGllbnRfaWQYASABKA0SEAoId29ybGRfaWQYAiABKAkSEgoKd29ybGRfbmFtZRgDIAEoCRIMCgR0aWNrGAQgASgNEg8KB3RpY2tfaHoYBSABKAESEwoLc25hcHNob3RfaHoYBiABKA0SIwoFcXVhbnQYCCABKAsyFC5qb3N0bGUudjEuUXVhbnRTcGVjEhYKDnNlcnZlcl90aW1lX3VzGAkgASgGEiAKB2dyYXZpdHkYCiABKAsyDy5qb3N0bGUudjEuVmVjMxIoCghjaGFubmVscxgLIAMoCzIWLmpvc3RsZS52MS5DaGFubmVsS2luZBINCgVjb2RlYxgMIAEoDRIXCg9hY2tfaW50ZXJ2YWxfbXMYDSABKA0SEAoIZXBvY2hfdXMYDiABKAYSDQoFY2VsbHMYDyABKAgSJwoJcHJlY2lzaW9uGBIgASgLMhQuam9zdGxlLnYxLlByZWNpc2lvbhIQCghzdWJzdGVwcxgQIAEoDRIxCglkYXRhZ3JhbXMYFCABKAsyHi5qb3N0bGUudjEuRGF0YWdyYW1DcmVkZW50aWFscxIUCgxyZXN1bWVfdG9rZW4YPCABKAwSDwoHcmVzdW1lZBg9IAEoCBIXCg9zdGF0ZV9wcmVzZXJ2ZWQYPiABKAgSFQoNbGFzdF9zZXF1ZW5jZRg/IAEoDRIeChZyZXN1bWVfdGltZW91dF9zZWNvbmRzGEAgASgBSgQIBxAIUgphY2tfd2luZG93IjwKE0RhdGFncmFtQ3JlZGVudGlhbHMSDAoEcG9ydBgBIAEoDRIKCgJpZBgCIAEoBhILCgNrZXkYAyABKAwiUgoLQ2hhbm5lbEtpbmQSDAoEbmFtZRgBIAEoCRIkCgRmb3JtGAIgASgOMhYuam9zdGxlLnYxLkNoYW5uZWxGb3JtEg8KB2Rpdmlzb3IYAyABKA0iswIKC1BvaW50T2JqZWN0EgoKAmlkGAEgASgNEgwKBGtpbmQYAiABKA0SCwoDa2V5GAMgASgNEg4KBmVudGl0eRgEIAEoDRIiCgRmb3JtGAUgASgOMhQuam9zdGxlLnYxLlBvaW50Rm9ybRIPCgdzdGVwX3VtGAYgASgNEg4KBnBvaW50cxgHIAEoDRIPCgdjb2x1bW5zGAggASgNEg8KB3N0cmFuZHMYCSADKA0SEQoJdHJpYW5nbGVzGAogAygREg4KBnJhZGl1cxgLIAEoAhISCgVjb2xvchgMIAEoB0gAiAEBEh8KBm9yaWdpbhgNIAEoCzIPLmpvc3RsZS52MS5WZWMzEhEKCXNwYWNpbmdfeBgOIAEoAhIRCglzcGFjaW5nX3oYDyABKAJCCAoGX2NvbG9yImYKC1BvaW50VXBkYXRlEg4KBm9iamVjdBgBIAEoDRIOCgZudW1iZXIYAiABKA0SDAoEYmFjaxgDIAEoDRIMCgR0aWNrGAQgASgNEg4KBnBhY2tlZBgFIAEoDBILCgNjcmMYBiABKAciQAoJUXVhbnRTcGVjEhcKD3VuaXRzX3Blcl9tZXRlchgBIAEoDRIaChJyb3RhdGlvbl9jb21wb25lbnQYAiABKA0iTQoNR2VvbWV0cnlDaHVuaxIKCgJpZBgBIAEoBhINCgVjaHVuaxgCIAEoDRITCgtjaHVua19jb3VudBgDIAEoDRIMCgRkYXRhGAQgASgMIngKDEVudGl0eVVwZGF0ZRIgCgVhZGRlZBgBIAMoCzIRLmpvc3RsZS52MS5FbnRpdHkSDwoHcmVtb3ZlZBgCIAMoDRIOCgZwYWNrZWQYAyABKAwSJQoKcHJvdG90eXBlcxgEIAMoCzIRLmpvc3RsZS52MS5FbnRpdHkiyQIKBkVudGl0eRIKCgJpZBgBIAEoDRIhCgR0eXBlGAIgASgOMhMuam9zdGxlLnYxLkJvZHlUeXBlEiAKBnNoYXBlcxgDIAMoCzIQLmpvc3RsZS52MS5TaGFwZRINCgVvd25lchgEIAEoDRISCgVjb2xvchgFIAEoB0gAiAEBEgwKBG5hbWUYBiABKAkSDAoEbWFzcxgHIAEoARIUCgxjb250cm9sbGFibGUYCCABKAgSFgoObGluZWFyX2RhbXBpbmcYCSABKAESFwoPYW5ndWxhcl9kYW1waW5nGAogASgBEhoKDWdyYXZpdHlfc2NhbGUYCyABKAFIAYgBARIfCgVsb2NrcxgMIAEoCzIQLmpvc3RsZS52MS5Mb2NrcxIPCgdqb2ludGVkGA0gASgIQggKBl9jb2xvckIQCg5fZ3Jhdml0eV9zY2FsZSLJBAoIU25hcHNob3QSDQoFZnJhbWUYASABKA0SEQoJYmFzZWxpbmVzGAIgASgNEg4KBnBhY2tlZBgFIAEoDBILCgNjcmMYBiABKAcSDwoHbGF0ZV91cxgHIAEoEhIQCghjaGFubmVscxgJIAEoDBIUCgxjaGFubmVsc19jcmMYCiABKAcSFwoPdW5jaGFuZ2VkX3RpY2tzGAsgASgNEiQKBXN0YXRzGAwgASgLMhUuam9zdGxlLnYxLldvcmxkU3RhdHMSIQoGZXZlbnRzGA0gAygLMhEuam9zdGxlLnYxLkV2ZW50cxIuCg1jbGllbnRfdXBkYXRlGA8gASgLMhcuam9zdGxlLnYxLkNsaWVudFVwZGF0ZRIkCgVjZWxscxgQIAMoCzIVLmpvc3RsZS52MS5DZWxsVXBkYXRlEhIKCmNlbGxzX2xlZnQYESADKA0SOwoRY29udHJvbGxlZF9lbnRpdHkYEiABKAsyIC5qb3N0bGUudjEuQ29udHJvbGxlZEVudGl0eVN0YXRlEi0KDXBvaW50X29iamVjdHMYEyADKAsyFi5qb3N0bGUudjEuUG9pbnRPYmplY3QSJgoGcG9pbnRzGBQgAygLMhYuam9zdGxlLnYxLlBvaW50VXBkYXRlEhQKDHBvaW50c19lbmRlZBgVIAMoDUoECAMQBEoECAQQBUoECAgQCVIKYmFzZV9mcmFtZVILYmFzZTJfZnJhbWVSC2Jhc2UzX2ZyYW1lUg5zZXJ2ZXJfdGltZV91c1IHbW9kdWxlcyK4AQoMQ2xpZW50VXBkYXRlEhYKDmlucHV0X3NlcXVlbmNlGAEgASgNEhsKE2VjaG9fY2xpZW50X3RpbWVfdXMYAiABKAcSGQoRc25hcHNob3RzX3NraXBwZWQYAyABKA0SJwoHcmVzdWx0cxgEIAMoCzIWLmpvc3RsZS52MS5JbnB1dFJlc3VsdBIXCg9pbnB1dF9tYXJnaW5fdXMYByABKBESFgoOaW5wdXRfcmVjZWl2ZWQYDCABKA0ijAEKFUNvbnRyb2xsZWRFbnRpdHlTdGF0ZRIOCgZlbnRpdHkYASABKA0SDgoGbW9kdWxlGAIgASgJEgwKBHRpY2sYAyABKA0SDQoFd29yZHMYBCABKA0SEAoIa2V5ZnJhbWUYBSABKAgSFAoMY2hhbmdlZF9tYXNrGAYgASgMEg4KBnZhbHVlcxgHIAEoDCKlAQoLSW5wdXRSZXN1bHQSEAoIc2VxdWVuY2UYASABKA0SIgoEY29kZRgCIAEoDjIULmpvc3RsZS52MS5JbnB1dENvZGUSDAoEdGljaxgDIAEoDRIOCgZlbnRpdHkYBCABKA0SDwoHbWVzc2FnZRgFIAEoCRIZChF2aWV3X3RpbWVfY2xhbXBlZBgGIAEoCBIWCg5yZXRyeV9hZnRlcl9tcxgHIAEoDSI2CgRQb25nEhYKDmNsaWVudF90aW1lX3VzGAEgASgGEhYKDnNlcnZlcl90aW1lX3VzGAIgASgGIr8BCgpXb3JsZFN0YXRzEgwKBHRpY2sYASABKA0SDgoGYm9kaWVzGAIgASgNEg0KBWF3YWtlGAMgASgNEhAKCGNvbnRhY3RzGAQgASgNEg8KB2NsaWVudHMYBSABKA0SFAoMc3RlcF9tc19tZWFuGAYgASgBEhMKC3N0ZXBfbXNfbWF4GAcgASgBEhIKCmxhdGVfdGlja3MYCCABKA0SDgoGcGF1c2VkGAkgASgJEhIKCnRpbWVfc2NhbGUYCiABKAEiPgoGTm90aWNlEiMKBGNvZGUYASABKA4yFS5qb3N0bGUudjEuTm90aWNlQ29kZRIPCgdtZXNzYWdlGAIgASgJIsQDCgZFdmVudHMSDAoEdGljaxgBIAEoDRIvCg5jb250YWN0c19iZWdhbhgCIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSLwoOY29udGFjdHNfZW5kZWQYAyADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EikKCGNvbnRhY3RzGAQgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIlCgRoaXRzGAUgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIxChB0cmlnZ2Vyc19lbnRlcmVkGAYgAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIwCg90cmlnZ2Vyc19zdGF5ZWQYByADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50Ei4KDXRyaWdnZXJzX2xlZnQYCCADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50EjAKDGpvaW50c19icm9rZRgJIAMoCzIaLmpvc3RsZS52MS5Kb2ludEJyZWFrRXZlbnQSEwoLZmVsbF9hc2xlZXAYCiADKA0SDAoEd29rZRgLIAMoDRIOCgZtaXNzZWQYDCABKA0ikwEKDENvbnRhY3RFdmVudBIQCghlbnRpdHlfYRgBIAEoDRIQCghlbnRpdHlfYhgCIAEoDRIeCgVwb2ludBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzEh8KBm5vcm1hbBgEIAEoCzIPLmpvc3RsZS52MS5WZWMzEg0KBXNwZWVkGAUgASgBEg8KB2ltcHVsc2UYBiABKAEiLwoMVHJpZ2dlckV2ZW50Eg8KB3RyaWdnZXIYASABKA0SDgoGZW50aXR5GAIgASgNIlQKD0pvaW50QnJlYWtFdmVudBIQCghlbnRpdHlfYRgBIAEoDRIQCghlbnRpdHlfYhgCIAEoDRINCgVmb3JjZRgDIAEoARIOCgZ0b3JxdWUYBCABKAEqjAEKClBsYXllclJvbGUSGwoXUExBWUVSX1JPTEVfVU5TUEVDSUZJRUQQABIZChVQTEFZRVJfUk9MRV9TUEVDVEFUT1IQARIWChJQTEFZRVJfUk9MRV9QTEFZRVIQAhIXChNQTEFZRVJfUk9MRV9CVUlMREVSEAMSFQoRUExBWUVSX1JPTEVfT1dORVIQBCqOAQoLQ2hhbm5lbEZvcm0SHAoYQ0hBTk5FTF9GT1JNX1VOU1BFQ0lGSUVEEAASFwoTQ0hBTk5FTF9GT1JNX1BBUkFNUxABEhcKE0NIQU5ORUxfRk9STV9QT0lOVFMQAhIVChFDSEFOTkVMX0ZPUk1fU0VFRBAEIgQIAxADKhJDSEFOTkVMX0ZPUk1fRklFTEQqnAEKCVBvaW50Rm9ybRIaChZQT0lOVF9GT1JNX1VOU1BFQ0lGSUVEEAASFAoQUE9JTlRfRk9STV9MT09TRRABEhYKElBPSU5UX0ZPUk1fU1RSQU5EUxACEhMKD1BPSU5UX0ZPUk1fR1JJRBADEhgKFFBPSU5UX0ZPUk1fVFJJQU5HTEVTEAQSFgoSUE9JTlRfRk9STV9IRUlHSFRTEAUqvwEKCUlucHV0Q29kZRIaChZJTlBVVF9DT0RFX1VOU1BFQ0lGSUVEEAASFgoSSU5QVVRfQ09ERV9BUFBMSUVEEAESFgoSSU5QVVRfQ09ERV9JTlZBTElEEAISGAoUSU5QVVRfQ09ERV9OT1RfRk9VTkQQAxIaChZJTlBVVF9DT0RFX05PVF9BTExPV0VEEAQSFAoQSU5QVVRfQ09ERV9MSU1JVBAFEhoKFklOUFVUX0NPREVfVU5BVkFJTEFCTEUQBiq3AQoKTm90aWNlQ29kZRIbChdOT1RJQ0VfQ09ERV9VTlNQRUNJRklFRBAAEhgKFE5PVElDRV9DT0RFX0RSQUlOSU5HEAESHAoYTk9USUNFX0NPREVfV09STERfQ0xPU0VEEAISFwoTTk9USUNFX0NPREVfUkVGVVNFRBADEhoKFk5PVElDRV9DT0RFX1JBVEVfTElNSVQQBBIfChtOT1RJQ0VfQ09ERV9XT1JMRF9SRVNUQVJURUQQBTJNCgtQbGF5U2VydmljZRI+CgRQbGF5Ehguam9zdGxlLnYxLkNsaWVudE1lc3NhZ2UaGC5qb3N0bGUudjEuU2VydmVyTWVzc2FnZSgBMAFiBnByb3RvMw", [file_jostle_v1_common, file_jostle_v1_room, file_jostle_v1_scene]);
+  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIvEBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAEicKCGludGVyZXN0GAYgASgLMhMuam9zdGxlLnYxLkludGVyZXN0SABCCQoHbWVzc2FnZSLYAwoFSGVsbG8SEAoIcHJvdG9jb2wYASABKA0SDQoFd29ybGQYAiABKAkSDgoGdGlja2V0GAMgASgJEgwKBG5hbWUYBCABKAkSEwoLc25hcHNob3RfaHoYBSABKA0SEQoJc3BlY3RhdG9yGAYgASgIEg4KBmV2ZW50cxgHIAEoCBINCgV0b2tlbhgIIAEoCRIQCghjaGFubmVscxgJIAMoCRINCgVjb2RlYxgKIAEoDRIQCghtYXhfa2JwcxgLIAEoDRIlCghpbnRlcmVzdBgOIAEoCzITLmpvc3RsZS52MS5JbnRlcmVzdBInCglwcmVjaXNpb24YDyABKAsyFC5qb3N0bGUudjEuUHJlY2lzaW9uEhcKD3BhY2tlZF9lbnRpdGllcxgQIAEoCBIRCglkYXRhZ3JhbXMYFCABKAgSEQoJcmVzdW1hYmxlGDwgASgIEiEKBnJlc3VtZRg9IAEoCzIRLmpvc3RsZS52MS5SZXN1bWUSDwoHcGxheWVycxhGIAEoCBISCgphdHRyaWJ1dGVzGEcgASgIEg4KBnRvcGljcxhIIAMoCRISCgVjb2xvchhJIAEoB0gAiAEBEhEKCWpvaW5fY29kZRhLIAEoCUIICgZfY29sb3IiNwoGUmVzdW1lEg0KBXRva2VuGAEgASgMEg0KBWZyYW1lGAIgASgNEg8KB21lc3NhZ2UYAyABKA0iOgoISW50ZXJlc3QSHgoFZm9jdXMYASABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZyYWRpdXMYAiABKAEiewoKSW5wdXRCYXRjaBIWCg5maXJzdF9zZXF1ZW5jZRgBIAEoDRIgCgZpbnB1dHMYAiADKAsyEC5qb3N0bGUudjEuSW5wdXQSGwoDYWNrGAMgASgLMg4uam9zdGxlLnYxLkFjaxIWCg5jbGllbnRfdGltZV91cxgEIAEoByL5BAoFSW5wdXQSJgoFc3Bhd24YASABKAsyFS5qb3N0bGUudjEuU3Bhd25JbnB1dEgAEioKB2ltcHVsc2UYAiABKAsyFy5qb3N0bGUudjEuSW1wdWxzZUlucHV0SAASJAoEZ3JhYhgDIAEoCzIULmpvc3RsZS52MS5HcmFiSW5wdXRIABIkCgRkcmFnGAQgASgLMhQuam9zdGxlLnYxLkRyYWdJbnB1dEgAEioKB3JlbGVhc2UYBSABKAsyFy5qb3N0bGUudjEuUmVsZWFzZUlucHV0SAASKAoGZGVsZXRlGAYgASgLMhYuam9zdGxlLnYxLkRlbGV0ZUlucHV0SAASKgoHZXhwbG9kZRgHIAEoCzIXLmpvc3RsZS52MS5FeHBsb2RlSW5wdXRIABIqCgdwb3NzZXNzGAggASgLMhcuam9zdGxlLnYxLlBvc3Nlc3NJbnB1dEgAEioKB2NvbnRyb2wYCSABKAsyFy5qb3N0bGUudjEuQ29udHJvbElucHV0SAASIgoDY3V0GAogASgLMhMuam9zdGxlLnYxLkN1dElucHV0SAASNwoOc2V0X2F0dHJpYnV0ZXMYCyABKAsyHS5qb3N0bGUudjEuU2V0QXR0cmlidXRlc0lucHV0SAASMwoMc2VuZF9tZXNzYWdlGAwgASgLMhsuam9zdGxlLnYxLlNlbmRNZXNzYWdlSW5wdXRIABIoCgZyZW5hbWUYECABKAsyFi5qb3N0bGUudjEuUmVuYW1lSW5wdXRIABIkCgRyb29tGA0gASgLMhQuam9zdGxlLnYxLlJvb21JbnB1dEgAEgwKBHRpY2sYDyABKA1CBgoEa2luZCLmAQoKU3Bhd25JbnB1dBIfCgVzaGFwZRgBIAEoCzIQLmpvc3RsZS52MS5TaGFwZRIhCghwb3NpdGlvbhgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAMgASgLMg8uam9zdGxlLnYxLlF1YXQSKAoPbGluZWFyX3ZlbG9jaXR5GAQgASgLMg8uam9zdGxlLnYxLlZlYzMSKQoQYW5ndWxhcl92ZWxvY2l0eRgFIAEoCzIPLmpvc3RsZS52MS5WZWMzEhIKBWNvbG9yGAYgASgHSACIAQFCCAoGX2NvbG9yIn8KA0FpbRIfCgZvcmlnaW4YASABKAsyDy5qb3N0bGUudjEuVmVjMxIfCgZtb3Rpb24YAiABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZpZ25vcmUYAyABKA0SJgoJdmlld190aW1lGAQgASgLMhMuam9zdGxlLnYxLlZpZXdUaW1lIo0BCgxJbXB1bHNlSW5wdXQSDgoGZW50aXR5GAEgASgNEiAKB2ltcHVsc2UYAiABKAsyDy5qb3N0bGUudjEuVmVjMxIeCgVwb2ludBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzEhsKA2FpbRgEIAEoCzIOLmpvc3RsZS52MS5BaW0SDgoGb2JqZWN0GAUgASgNImgKCUdyYWJJbnB1dBIOCgZlbnRpdHkYASABKA0SHgoFcG9pbnQYAiABKAsyDy5qb3N0bGUudjEuVmVjMxIbCgNhaW0YAyABKAsyDi5qb3N0bGUudjEuQWltEg4KBm9iamVjdBgEIAEoDSIsCglEcmFnSW5wdXQSHwoGdGFyZ2V0GAEgASgLMg8uam9zdGxlLnYxLlZlYzMiDgoMUmVsZWFzZUlucHV0Ih0KC0RlbGV0ZUlucHV0Eg4KBmVudGl0eRgBIAEoDSJrCgxFeHBsb2RlSW5wdXQSHwoGY2VudGVyGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBEg0KBXNwZWVkGAMgASgBEhsKA2FpbRgEIAEoCzIOLmpvc3RsZS52MS5BaW0iVwoIQ3V0SW5wdXQSDgoGb2JqZWN0GAEgASgNEh4KBXBvaW50GAIgASgLMg8uam9zdGxlLnYxLlZlYzMSGwoDYWltGAMgASgLMg4uam9zdGxlLnYxLkFpbSIeCgxQb3NzZXNzSW5wdXQSDgoGZW50aXR5GAEgASgNIi0KDENvbnRyb2xJbnB1dBIMCgRheGVzGAEgAygREg8KB2J1dHRvbnMYAiABKA0iOgoSU2V0QXR0cmlidXRlc0lucHV0EiQKA3NldBgBIAEoCzIXLmpvc3RsZS52MS5BdHRyaWJ1dGVTZXQiTgoQU2VuZE1lc3NhZ2VJbnB1dBINCgV0b3BpYxgBIAEoCRIMCgRkYXRhGAIgASgMEgoKAnRvGAMgAygNEhEKCXRvX3NlcnZlchgEIAEoCCIbCgtSZW5hbWVJbnB1dBIMCgRuYW1lGAEgASgJIo0ECglSb29tSW5wdXQSKwoIc2V0X3JvbGUYASABKAsyFy5qb3N0bGUudjEuU2V0Um9sZUlucHV0SAASJAoEa2ljaxgCIAEoCzIULmpvc3RsZS52MS5LaWNrSW5wdXRIABIiCgNiYW4YAyABKAsyEy5qb3N0bGUudjEuQmFuSW5wdXRIABImCgV1bmJhbhgEIAEoCzIVLmpvc3RsZS52MS5VbmJhbklucHV0SAASJAoEbXV0ZRgFIAEoCzIULmpvc3RsZS52MS5NdXRlSW5wdXRIABIrCghjbGVhbl91cBgGIAEoCzIXLmpvc3RsZS52MS5DbGVhblVwSW5wdXRIABIqCgdwcm90ZWN0GAcgASgLMhcuam9zdGxlLnYxLlByb3RlY3RJbnB1dEgAEi4KCXVucHJvdGVjdBgIIAEoCzIZLmpvc3RsZS52MS5VbnByb3RlY3RJbnB1dEgAEi0KCXZvdGVfa2ljaxgJIAEoCzIYLmpvc3RsZS52MS5Wb3RlS2lja0lucHV0SAASJgoFcGF1c2UYCiABKAsyFS5qb3N0bGUudjEuUGF1c2VJbnB1dEgAEiYKBXJlc2V0GAsgASgLMhUuam9zdGxlLnYxLlJlc2V0SW5wdXRIABIrCghzZXR0aW5ncxgMIAEoCzIXLmpvc3RsZS52MS5Sb29tU2V0dGluZ3NIAEIGCgRraW5kIkMKDFNldFJvbGVJbnB1dBIOCgZjbGllbnQYASABKA0SIwoEcm9sZRgCIAEoDjIVLmpvc3RsZS52MS5QbGF5ZXJSb2xlIisKCUtpY2tJbnB1dBIOCgZjbGllbnQYASABKA0SDgoGcmVhc29uGAIgASgJIjsKCEJhbklucHV0Eg4KBmNsaWVudBgBIAEoDRIPCgdzZWNvbmRzGAIgASgBEg4KBnJlYXNvbhgDIAEoCSIcCgpVbmJhbklucHV0Eg4KBm1lbWJlchgBIAEoCSIsCglNdXRlSW5wdXQSDgoGY2xpZW50GAEgASgNEg8KB3NlY29uZHMYAiABKAEiHgoMQ2xlYW5VcElucHV0Eg4KBmNsaWVudBgBIAEoDSI2CgxQcm90ZWN0SW5wdXQSJgoEYXJlYRgBIAEoCzIYLmpvc3RsZS52MS5Qcm90ZWN0ZWRBcmVhIh4KDlVucHJvdGVjdElucHV0EgwKBG5hbWUYASABKAkiHwoNVm90ZUtpY2tJbnB1dBIOCgZjbGllbnQYASABKA0iHAoKUGF1c2VJbnB1dBIOCgZwYXVzZWQYASABKAgiDAoKUmVzZXRJbnB1dCJTCgNBY2sSDQoFZnJhbWUYASABKA0SFQoNbmVlZF9rZXlmcmFtZRgCIAEoCBIUCgxhY2tfZGVsYXlfbXMYAyABKA0SEAoIYWNrX2JpdHMYCCABKAciHgoEUGluZxIWCg5jbGllbnRfdGltZV91cxgBIAEoBiIHCgVMZWF2ZSLAAgoNU2VydmVyTWVzc2FnZRIlCgd3ZWxjb21lGAEgASgLMhIuam9zdGxlLnYxLldlbGNvbWVIABIwCg1lbnRpdHlfdXBkYXRlGAIgASgLMhcuam9zdGxlLnYxLkVudGl0eVVwZGF0ZUgAEicKCHNuYXBzaG90GAMgASgLMhMuam9zdGxlLnYxLlNuYXBzaG90SAASHwoEcG9uZxgFIAEoCzIPLmpvc3RsZS52MS5Qb25nSAASIwoGbm90aWNlGAcgASgLMhEuam9zdGxlLnYxLk5vdGljZUgAEiwKCGdlb21ldHJ5GAkgASgLMhguam9zdGxlLnYxLkdlb21ldHJ5Q2h1bmtIAEIJCgdtZXNzYWdlSgQIBBAFSgQIBhAHSgQICBAJUg1pbnB1dF9yZXN1bHRzUgVzdGF0c1IGZXZlbnRzIloKCkNlbGxVcGRhdGUSDAoEY2VsbBgBIAEoDRIOCgZudW1iZXIYAiABKA0SEQoJYmFzZWxpbmVzGAMgASgNEg4KBnBhY2tlZBgEIAEoDBILCgNjcmMYBSABKAcivwQKB1dlbGNvbWUSEQoJY2xpZW50X2lkGAEgASgNEhAKCHdvcmxkX2lkGAIgASgJEhIKCndvcmxkX25hbWUYAyABKAkSDAoEdGljaxgEIAEoDRIPCgd0aWNrX2h6GAUgASgBEhMKC3NuYXBzaG90X2h6GAYgASgNEiMKBXF1YW50GAggASgLMhQuam9zdGxlLnYxLlF1YW50U3BlYxIWCg5zZXJ2ZXJfdGltZV91cxgJIAEoBhIgCgdncmF2aXR5GAogASgLMg8uam9zdGxlLnYxLlZlYzMSKAoIY2hhbm5lbHMYCyADKAsyFi5qb3N0bGUudjEuQ2hhbm5lbEtpbmQSDQoFY29kZWMYDCABKA0SFwoPYWNrX2ludGVydmFsX21zGA0gASgNEhAKCGVwb2NoX3VzGA4gASgGEg0KBWNlbGxzGA8gASgIEicKCXByZWNpc2lvbhgSIAEoCzIULmpvc3RsZS52MS5QcmVjaXNpb24SEAoIc3Vic3RlcHMYECABKA0SMQoJZGF0YWdyYW1zGBQgASgLMh4uam9zdGxlLnYxLkRhdGFncmFtQ3JlZGVudGlhbHMSFAoMcmVzdW1lX3Rva2VuGDwgASgMEg8KB3Jlc3VtZWQYPSABKAgSFwoPc3RhdGVfcHJlc2VydmVkGD4gASgIEhUKDWxhc3Rfc2VxdWVuY2UYPyABKA0SHgoWcmVzdW1lX3RpbWVvdXRfc2Vjb25kcxhAIAEoAUoECAcQCFIKYWNrX3dpbmRvdyI8ChNEYXRhZ3JhbUNyZWRlbnRpYWxzEgwKBHBvcnQYASABKA0SCgoCaWQYAiABKAYSCwoDa2V5GAMgASgMIlIKC0NoYW5uZWxLaW5kEgwKBG5hbWUYASABKAkSJAoEZm9ybRgCIAEoDjIWLmpvc3RsZS52MS5DaGFubmVsRm9ybRIPCgdkaXZpc29yGAMgASgNIrMCCgtQb2ludE9iamVjdBIKCgJpZBgBIAEoDRIMCgRraW5kGAIgASgNEgsKA2tleRgDIAEoDRIOCgZlbnRpdHkYBCABKA0SIgoEZm9ybRgFIAEoDjIULmpvc3RsZS52MS5Qb2ludEZvcm0SDwoHc3RlcF91bRgGIAEoDRIOCgZwb2ludHMYByABKA0SDwoHY29sdW1ucxgIIAEoDRIPCgdzdHJhbmRzGAkgAygNEhEKCXRyaWFuZ2xlcxgKIAMoERIOCgZyYWRpdXMYCyABKAISEgoFY29sb3IYDCABKAdIAIgBARIfCgZvcmlnaW4YDSABKAsyDy5qb3N0bGUudjEuVmVjMxIRCglzcGFjaW5nX3gYDiABKAISEQoJc3BhY2luZ196GA8gASgCQggKBl9jb2xvciJmCgtQb2ludFVwZGF0ZRIOCgZvYmplY3QYASABKA0SDgoGbnVtYmVyGAIgASgNEgwKBGJhY2sYAyABKA0SDAoEdGljaxgEIAEoDRIOCgZwYWNrZWQYBSABKAwSCwoDY3JjGAYgASgHIkAKCVF1YW50U3BlYxIXCg91bml0c19wZXJfbWV0ZXIYASABKA0SGgoScm90YXRpb25fY29tcG9uZW50GAIgASgNIk0KDUdlb21ldHJ5Q2h1bmsSCgoCaWQYASABKAYSDQoFY2h1bmsYAiABKA0SEwoLY2h1bmtfY291bnQYAyABKA0SDAoEZGF0YRgEIAEoDCJ4CgxFbnRpdHlVcGRhdGUSIAoFYWRkZWQYASADKAsyES5qb3N0bGUudjEuRW50aXR5Eg8KB3JlbW92ZWQYAiADKA0SDgoGcGFja2VkGAMgASgMEiUKCnByb3RvdHlwZXMYBCADKAsyES5qb3N0bGUudjEuRW50aXR5IskCCgZFbnRpdHkSCgoCaWQYASABKA0SIQoEdHlwZRgCIAEoDjITLmpvc3RsZS52MS5Cb2R5VHlwZRIgCgZzaGFwZXMYAyADKAsyEC5qb3N0bGUudjEuU2hhcGUSDQoFb3duZXIYBCABKA0SEgoFY29sb3IYBSABKAdIAIgBARIMCgRuYW1lGAYgASgJEgwKBG1hc3MYByABKAESFAoMY29udHJvbGxhYmxlGAggASgIEhYKDmxpbmVhcl9kYW1waW5nGAkgASgBEhcKD2FuZ3VsYXJfZGFtcGluZxgKIAEoARIaCg1ncmF2aXR5X3NjYWxlGAsgASgBSAGIAQESHwoFbG9ja3MYDCABKAsyEC5qb3N0bGUudjEuTG9ja3MSDwoHam9pbnRlZBgNIAEoCEIICgZfY29sb3JCEAoOX2dyYXZpdHlfc2NhbGUi5gUKCFNuYXBzaG90Eg0KBWZyYW1lGAEgASgNEhEKCWJhc2VsaW5lcxgCIAEoDRIOCgZwYWNrZWQYBSABKAwSCwoDY3JjGAYgASgHEg8KB2xhdGVfdXMYByABKBISEAoIY2hhbm5lbHMYCSABKAwSFAoMY2hhbm5lbHNfY3JjGAogASgHEhcKD3VuY2hhbmdlZF90aWNrcxgLIAEoDRIkCgVzdGF0cxgMIAEoCzIVLmpvc3RsZS52MS5Xb3JsZFN0YXRzEiEKBmV2ZW50cxgNIAMoCzIRLmpvc3RsZS52MS5FdmVudHMSLgoNY2xpZW50X3VwZGF0ZRgPIAEoCzIXLmpvc3RsZS52MS5DbGllbnRVcGRhdGUSJAoFY2VsbHMYECADKAsyFS5qb3N0bGUudjEuQ2VsbFVwZGF0ZRISCgpjZWxsc19sZWZ0GBEgAygNEjsKEWNvbnRyb2xsZWRfZW50aXR5GBIgASgLMiAuam9zdGxlLnYxLkNvbnRyb2xsZWRFbnRpdHlTdGF0ZRItCg1wb2ludF9vYmplY3RzGBMgAygLMhYuam9zdGxlLnYxLlBvaW50T2JqZWN0EiYKBnBvaW50cxgUIAMoCzIWLmpvc3RsZS52MS5Qb2ludFVwZGF0ZRIUCgxwb2ludHNfZW5kZWQYFSADKA0SKAoHcGxheWVycxgeIAMoCzIXLmpvc3RsZS52MS5QbGF5ZXJVcGRhdGUSLgoKYXR0cmlidXRlcxgfIAMoCzIaLmpvc3RsZS52MS5BdHRyaWJ1dGVVcGRhdGUSKAoIbWVzc2FnZXMYICADKAsyFi5qb3N0bGUudjEuVXNlck1lc3NhZ2USFwoPbWVzc2FnZXNfbWlzc2VkGCEgASgNSgQIAxAESgQIBBAFSgQICBAJUgpiYXNlX2ZyYW1lUgtiYXNlMl9mcmFtZVILYmFzZTNfZnJhbWVSDnNlcnZlcl90aW1lX3VzUgdtb2R1bGVzIqUBCgZQbGF5ZXISDgoGY2xpZW50GAEgASgNEgwKBG5hbWUYAiABKAkSIwoEcm9sZRgDIAEoDjIVLmpvc3RsZS52MS5QbGF5ZXJSb2xlEhIKBWNvbG9yGAQgASgHSACIAQESFAoMZGlzY29ubmVjdGVkGAUgASgIEhMKC2pvaW5lZF90aWNrGAYgASgNEg8KB3BpbmdfbXMYByABKA1CCAoGX2NvbG9yImgKC1BsYXllckV2ZW50EgwKBHRpY2sYASABKA0SKAoEa2luZBgCIAEoDjIaLmpvc3RsZS52MS5QbGF5ZXJFdmVudEtpbmQSIQoGcGxheWVyGAMgASgLMhEuam9zdGxlLnYxLlBsYXllciKSAQoMUGxheWVyVXBkYXRlEhAKCGNvbXBsZXRlGAEgASgIEiIKB3BsYXllcnMYAiADKAsyES5qb3N0bGUudjEuUGxheWVyEiYKBmV2ZW50cxgDIAMoCzIWLmpvc3RsZS52MS5QbGF5ZXJFdmVudBIkCgVwaW5ncxgEIAMoCzIVLmpvc3RsZS52MS5QbGF5ZXJQaW5nIi0KClBsYXllclBpbmcSDgoGY2xpZW50GAEgASgNEg8KB3BpbmdfbXMYAiABKA0i4gEKCUF0dHJpYnV0ZRILCgNrZXkYASABKAkSEQoHYm9vbGVhbhgCIAEoCEgAEhEKB2ludGVnZXIYAyABKBJIABIQCgZudW1iZXIYBCABKAFIABIOCgR0ZXh0GAUgASgJSAASIQoGdmVjdG9yGAYgASgLMg8uam9zdGxlLnYxLlZlYzNIABIyCgp2aXNpYmlsaXR5GAcgASgOMh4uam9zdGxlLnYxLkF0dHJpYnV0ZVZpc2liaWxpdHkSDQoFcm9sZXMYCCABKA0SEQoJcmVhZF9vbmx5GAkgASgIQgcKBXZhbHVlIncKDEF0dHJpYnV0ZVNldBIQCgZlbnRpdHkYASABKA1IABIQCgZwbGF5ZXIYAiABKA1IABIPCgV3b3JsZBgDIAEoCEgAEigKCmF0dHJpYnV0ZXMYBCADKAsyFC5qb3N0bGUudjEuQXR0cmlidXRlQggKBnRhcmdldCKHAQoPQXR0cmlidXRlVXBkYXRlEgwKBHRpY2sYASABKA0SEAoIY29tcGxldGUYAiABKAgSJQoEc2V0cxgDIAMoCzIXLmpvc3RsZS52MS5BdHRyaWJ1dGVTZXQSFgoOZW50aXRpZXNfZW5kZWQYBCADKA0SFQoNcGxheWVyc19lbmRlZBgFIAMoDSJmCgtVc2VyTWVzc2FnZRIOCgZudW1iZXIYASABKA0SDAoEdGljaxgCIAEoDRIMCgRmcm9tGAMgASgNEg0KBXRvcGljGAQgASgJEgwKBGRhdGEYBSABKAwSDgoGZGlyZWN0GAYgASgIIrgBCgxDbGllbnRVcGRhdGUSFgoOaW5wdXRfc2VxdWVuY2UYASABKA0SGwoTZWNob19jbGllbnRfdGltZV91cxgCIAEoBxIZChFzbmFwc2hvdHNfc2tpcHBlZBgDIAEoDRInCgdyZXN1bHRzGAQgAygLMhYuam9zdGxlLnYxLklucHV0UmVzdWx0EhcKD2lucHV0X21hcmdpbl91cxgHIAEoERIWCg5pbnB1dF9yZWNlaXZlZBgMIAEoDSKMAQoVQ29udHJvbGxlZEVudGl0eVN0YXRlEg4KBmVudGl0eRgBIAEoDRIOCgZtb2R1bGUYAiABKAkSDAoEdGljaxgDIAEoDRINCgV3b3JkcxgEIAEoDRIQCghrZXlmcmFtZRgFIAEoCBIUCgxjaGFuZ2VkX21hc2sYBiABKAwSDgoGdmFsdWVzGAcgASgMIqUBCgtJbnB1dFJlc3VsdBIQCghzZXF1ZW5jZRgBIAEoDRIiCgRjb2RlGAIgASgOMhQuam9zdGxlLnYxLklucHV0Q29kZRIMCgR0aWNrGAMgASgNEg4KBmVudGl0eRgEIAEoDRIPCgdtZXNzYWdlGAUgASgJEhkKEXZpZXdfdGltZV9jbGFtcGVkGAYgASgIEhYKDnJldHJ5X2FmdGVyX21zGAcgASgNIjYKBFBvbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYSFgoOc2VydmVyX3RpbWVfdXMYAiABKAYivwEKCldvcmxkU3RhdHMSDAoEdGljaxgBIAEoDRIOCgZib2RpZXMYAiABKA0SDQoFYXdha2UYAyABKA0SEAoIY29udGFjdHMYBCABKA0SDwoHY2xpZW50cxgFIAEoDRIUCgxzdGVwX21zX21lYW4YBiABKAESEwoLc3RlcF9tc19tYXgYByABKAESEgoKbGF0ZV90aWNrcxgIIAEoDRIOCgZwYXVzZWQYCSABKAkSEgoKdGltZV9zY2FsZRgKIAEoASI+CgZOb3RpY2USIwoEY29kZRgBIAEoDjIVLmpvc3RsZS52MS5Ob3RpY2VDb2RlEg8KB21lc3NhZ2UYAiABKAkixAMKBkV2ZW50cxIMCgR0aWNrGAEgASgNEi8KDmNvbnRhY3RzX2JlZ2FuGAIgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIvCg5jb250YWN0c19lbmRlZBgDIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSKQoIY29udGFjdHMYBCADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EiUKBGhpdHMYBSADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EjEKEHRyaWdnZXJzX2VudGVyZWQYBiADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50EjAKD3RyaWdnZXJzX3N0YXllZBgHIAMoCzIXLmpvc3RsZS52MS5UcmlnZ2VyRXZlbnQSLgoNdHJpZ2dlcnNfbGVmdBgIIAMoCzIXLmpvc3RsZS52MS5UcmlnZ2VyRXZlbnQSMAoMam9pbnRzX2Jyb2tlGAkgAygLMhouam9zdGxlLnYxLkpvaW50QnJlYWtFdmVudBITCgtmZWxsX2FzbGVlcBgKIAMoDRIMCgR3b2tlGAsgAygNEg4KBm1pc3NlZBgMIAEoDSKTAQoMQ29udGFjdEV2ZW50EhAKCGVudGl0eV9hGAEgASgNEhAKCGVudGl0eV9iGAIgASgNEh4KBXBvaW50GAMgASgLMg8uam9zdGxlLnYxLlZlYzMSHwoGbm9ybWFsGAQgASgLMg8uam9zdGxlLnYxLlZlYzMSDQoFc3BlZWQYBSABKAESDwoHaW1wdWxzZRgGIAEoASIvCgxUcmlnZ2VyRXZlbnQSDwoHdHJpZ2dlchgBIAEoDRIOCgZlbnRpdHkYAiABKA0iVAoPSm9pbnRCcmVha0V2ZW50EhAKCGVudGl0eV9hGAEgASgNEhAKCGVudGl0eV9iGAIgASgNEg0KBWZvcmNlGAMgASgBEg4KBnRvcnF1ZRgEIAEoASqMAQoKUGxheWVyUm9sZRIbChdQTEFZRVJfUk9MRV9VTlNQRUNJRklFRBAAEhkKFVBMQVlFUl9ST0xFX1NQRUNUQVRPUhABEhYKElBMQVlFUl9ST0xFX1BMQVlFUhACEhcKE1BMQVlFUl9ST0xFX0JVSUxERVIQAxIVChFQTEFZRVJfUk9MRV9PV05FUhAEKo4BCgtDaGFubmVsRm9ybRIcChhDSEFOTkVMX0ZPUk1fVU5TUEVDSUZJRUQQABIXChNDSEFOTkVMX0ZPUk1fUEFSQU1TEAESFwoTQ0hBTk5FTF9GT1JNX1BPSU5UUxACEhUKEUNIQU5ORUxfRk9STV9TRUVEEAQiBAgDEAMqEkNIQU5ORUxfRk9STV9GSUVMRCqcAQoJUG9pbnRGb3JtEhoKFlBPSU5UX0ZPUk1fVU5TUEVDSUZJRUQQABIUChBQT0lOVF9GT1JNX0xPT1NFEAESFgoSUE9JTlRfRk9STV9TVFJBTkRTEAISEwoPUE9JTlRfRk9STV9HUklEEAMSGAoUUE9JTlRfRk9STV9UUklBTkdMRVMQBBIWChJQT0lOVF9GT1JNX0hFSUdIVFMQBSr0AQoPUGxheWVyRXZlbnRLaW5kEiEKHVBMQVlFUl9FVkVOVF9LSU5EX1VOU1BFQ0lGSUVEEAASHAoYUExBWUVSX0VWRU5UX0tJTkRfSk9JTkVEEAESGgoWUExBWUVSX0VWRU5UX0tJTkRfTEVGVBACEh0KGVBMQVlFUl9FVkVOVF9LSU5EX1JFTkFNRUQQAxIiCh5QTEFZRVJfRVZFTlRfS0lORF9ST0xFX0NIQU5HRUQQBBIiCh5QTEFZRVJfRVZFTlRfS0lORF9ESVNDT05ORUNURUQQBRIdChlQTEFZRVJfRVZFTlRfS0lORF9SRVNVTUVEEAYqngEKE0F0dHJpYnV0ZVZpc2liaWxpdHkSJAogQVRUUklCVVRFX1ZJU0lCSUxJVFlfVU5TUEVDSUZJRUQQABIhCh1BVFRSSUJVVEVfVklTSUJJTElUWV9FVkVSWU9ORRABEh4KGkFUVFJJQlVURV9WSVNJQklMSVRZX09XTkVSEAISHgoaQVRUUklCVVRFX1ZJU0lCSUxJVFlfUk9MRVMQAyq/AQoJSW5wdXRDb2RlEhoKFklOUFVUX0NPREVfVU5TUEVDSUZJRUQQABIWChJJTlBVVF9DT0RFX0FQUExJRUQQARIWChJJTlBVVF9DT0RFX0lOVkFMSUQQAhIYChRJTlBVVF9DT0RFX05PVF9GT1VORBADEhoKFklOUFVUX0NPREVfTk9UX0FMTE9XRUQQBBIUChBJTlBVVF9DT0RFX0xJTUlUEAUSGgoWSU5QVVRfQ09ERV9VTkFWQUlMQUJMRRAGKrcBCgpOb3RpY2VDb2RlEhsKF05PVElDRV9DT0RFX1VOU1BFQ0lGSUVEEAASGAoUTk9USUNFX0NPREVfRFJBSU5JTkcQARIcChhOT1RJQ0VfQ09ERV9XT1JMRF9DTE9TRUQQAhIXChNOT1RJQ0VfQ09ERV9SRUZVU0VEEAMSGgoWTk9USUNFX0NPREVfUkFURV9MSU1JVBAEEh8KG05PVElDRV9DT0RFX1dPUkxEX1JFU1RBUlRFRBAFMk0KC1BsYXlTZXJ2aWNlEj4KBFBsYXkSGC5qb3N0bGUudjEuQ2xpZW50TWVzc2FnZRoYLmpvc3RsZS52MS5TZXJ2ZXJNZXNzYWdlKAEwAWIGcHJvdG8z", [file_jostle_v1_common, file_jostle_v1_room, file_jostle_v1_scene]);
 
 /**
  * A message from the client to the server.
@@ -125,7 +125,8 @@ export type Hello = Message<"jostle.v1.Hello"> & {
   snapshotHz: number;
 
   /**
-   * the client sends no inputs; the server rejects them with NOT_ALLOWED
+   * The client sends no inputs to the simulation; the server rejects them with NOT_ALLOWED. It may rename itself, send
+   * messages and set its own attributes.
    *
    * @generated from field: bool spectator = 6;
    */
@@ -212,6 +213,35 @@ export type Hello = Message<"jostle.v1.Hello"> & {
   resume?: Resume | undefined;
 
   /**
+   * subscribes to the player list and player events (Snapshot.players)
+   *
+   * @generated from field: bool players = 70;
+   */
+  players: boolean;
+
+  /**
+   * subscribes to attributes (Snapshot.attributes)
+   *
+   * @generated from field: bool attributes = 71;
+   */
+  attributes: boolean;
+
+  /**
+   * Topics of user messages to subscribe to (Snapshot.messages), at most 64; "*": all topics. A client also receives
+   * the messages of these topics that are addressed to it.
+   *
+   * @generated from field: repeated string topics = 72;
+   */
+  topics: string[];
+
+  /**
+   * 0xRRGGBB, of the player; absent: chosen by the viewer
+   *
+   * @generated from field: optional fixed32 color = 73;
+   */
+  color?: number | undefined;
+
+  /**
    * of a private room, at most 64 bytes; a ticket replaces it
    *
    * @generated from field: string join_code = 75;
@@ -246,6 +276,13 @@ export type Resume = Message<"jostle.v1.Resume"> & {
    * @generated from field: uint32 frame = 2;
    */
   frame: number;
+
+  /**
+   * UserMessage.number of the last received message; 0: none
+   *
+   * @generated from field: uint32 message = 3;
+   */
+  message: number;
 };
 
 /**
@@ -394,6 +431,24 @@ export type Input = Message<"jostle.v1.Input"> & {
     case: "cut";
   } | {
     /**
+     * @generated from field: jostle.v1.SetAttributesInput set_attributes = 11;
+     */
+    value: SetAttributesInput;
+    case: "setAttributes";
+  } | {
+    /**
+     * @generated from field: jostle.v1.SendMessageInput send_message = 12;
+     */
+    value: SendMessageInput;
+    case: "sendMessage";
+  } | {
+    /**
+     * @generated from field: jostle.v1.RenameInput rename = 16;
+     */
+    value: RenameInput;
+    case: "rename";
+  } | {
+    /**
      * @generated from field: jostle.v1.RoomInput room = 13;
      */
     value: RoomInput;
@@ -501,10 +556,11 @@ export type Aim = Message<"jostle.v1.Aim"> & {
 
   /**
    * Lag compensation: the view time at which the client rendered the world. The server casts the ray against the
-   * poses of that time with the current shapes, and against the current ropes and cloths. Entities that spawned later
-   * or are gone cannot be hit. The input then acts on the hit entity at its current pose, at the same point of the
-   * body. A view time older than the stored frames (tick.lag_compensation_ms_max in the server's settings) is clamped
-   * to the oldest frame, and the result has `view_time_clamped`.
+   * poses of that time with the current shapes, and against the ropes and cloths of that time (the current ones if no
+   * client subscribes to their channels). Entities that spawned later or are gone cannot be hit. The input then acts on
+   * the hit entity at its current pose, at the same point of the body. A view time older than the stored frames
+   * (tick.lag_compensation_ms_max in the server's settings) is clamped to the oldest frame, and the result has
+   * `view_time_clamped`.
    *
    * absent: the world as it is when the input is applied
    *
@@ -791,6 +847,96 @@ export const ControlInputSchema: GenMessage<ControlInput> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 16);
 
 /**
+ * Sets and removes attributes of one target. The server applies all of them or none. An owner sets every attribute, a
+ * builder those of every entity, a player those of itself and of the entities that it owns, and a spectator those of
+ * itself. Attributes that the server set are read-only for clients. Limits in the server's settings:
+ * client.attribute_changes_per_second, client.attribute_bytes_max, world.attributes_per_target_max,
+ * world.attribute_text_bytes_max and world.attribute_bytes_max.
+ *
+ * @generated from message jostle.v1.SetAttributesInput
+ */
+export type SetAttributesInput = Message<"jostle.v1.SetAttributesInput"> & {
+  /**
+   * 1 to 64 attributes with different keys
+   *
+   * @generated from field: jostle.v1.AttributeSet set = 1;
+   */
+  set?: AttributeSet | undefined;
+};
+
+/**
+ * Describes the message jostle.v1.SetAttributesInput.
+ * Use `create(SetAttributesInputSchema)` to create a new message.
+ */
+export const SetAttributesInputSchema: GenMessage<SetAttributesInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 17);
+
+/**
+ * Sends a user message. The server delivers the messages of a world to each recipient once and in one order. Limits in
+ * the server's settings: client.user_messages_per_second, client.user_message_bytes_max and
+ * world.user_message_bytes_per_second.
+ *
+ * @generated from message jostle.v1.SendMessageInput
+ */
+export type SendMessageInput = Message<"jostle.v1.SendMessageInput"> & {
+  /**
+   * as Attribute.key
+   *
+   * @generated from field: string topic = 1;
+   */
+  topic: string;
+
+  /**
+   * at most client.user_message_bytes_max (default 1024); the topic defines its meaning
+   *
+   * @generated from field: bytes data = 2;
+   */
+  data: Uint8Array;
+
+  /**
+   * clients, at most 16; empty: all clients of the world, including the sender
+   *
+   * @generated from field: repeated uint32 to = 3;
+   */
+  to: number[];
+
+  /**
+   * only to the server; `to` must be empty
+   *
+   * @generated from field: bool to_server = 4;
+   */
+  toServer: boolean;
+};
+
+/**
+ * Describes the message jostle.v1.SendMessageInput.
+ * Use `create(SendMessageInputSchema)` to create a new message.
+ */
+export const SendMessageInputSchema: GenMessage<SendMessageInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 18);
+
+/**
+ * Changes the display name of the player.
+ *
+ * @generated from message jostle.v1.RenameInput
+ */
+export type RenameInput = Message<"jostle.v1.RenameInput"> & {
+  /**
+   * UTF-8, 1 to 32 bytes without control characters
+   *
+   * @generated from field: string name = 1;
+   */
+  name: string;
+};
+
+/**
+ * Describes the message jostle.v1.RenameInput.
+ * Use `create(RenameInputSchema)` to create a new message.
+ */
+export const RenameInputSchema: GenMessage<RenameInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 19);
+
+/**
  * A command about the room (room.proto). The permissions of the room decide who may send it. A command about a client
  * requires a higher role than that of the client.
  *
@@ -882,7 +1028,7 @@ export type RoomInput = Message<"jostle.v1.RoomInput"> & {
  * Use `create(RoomInputSchema)` to create a new message.
  */
 export const RoomInputSchema: GenMessage<RoomInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 17);
+  messageDesc(file_jostle_v1_play, 20);
 
 /**
  * Changes the role of a client. The role owner transfers the ownership of the room: the sender becomes a builder.
@@ -906,7 +1052,7 @@ export type SetRoleInput = Message<"jostle.v1.SetRoleInput"> & {
  * Use `create(SetRoleInputSchema)` to create a new message.
  */
 export const SetRoleInputSchema: GenMessage<SetRoleInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 18);
+  messageDesc(file_jostle_v1_play, 21);
 
 /**
  * Ends the session of a client, with PERMISSION_DENIED and the reason. It may join again.
@@ -932,7 +1078,7 @@ export type KickInput = Message<"jostle.v1.KickInput"> & {
  * Use `create(KickInputSchema)` to create a new message.
  */
 export const KickInputSchema: GenMessage<KickInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 19);
+  messageDesc(file_jostle_v1_play, 22);
 
 /**
  * Kicks a client, and refuses its subject or, without a subject, its network from now on.
@@ -965,7 +1111,7 @@ export type BanInput = Message<"jostle.v1.BanInput"> & {
  * Use `create(BanInputSchema)` to create a new message.
  */
 export const BanInputSchema: GenMessage<BanInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 20);
+  messageDesc(file_jostle_v1_play, 23);
 
 /**
  * @generated from message jostle.v1.UnbanInput
@@ -984,7 +1130,7 @@ export type UnbanInput = Message<"jostle.v1.UnbanInput"> & {
  * Use `create(UnbanInputSchema)` to create a new message.
  */
 export const UnbanInputSchema: GenMessage<UnbanInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 21);
+  messageDesc(file_jostle_v1_play, 24);
 
 /**
  * Refuses the messages of a client to other clients.
@@ -1010,7 +1156,7 @@ export type MuteInput = Message<"jostle.v1.MuteInput"> & {
  * Use `create(MuteInputSchema)` to create a new message.
  */
 export const MuteInputSchema: GenMessage<MuteInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 22);
+  messageDesc(file_jostle_v1_play, 25);
 
 /**
  * Deletes all bodies that a client spawned, also after it left.
@@ -1029,7 +1175,7 @@ export type CleanUpInput = Message<"jostle.v1.CleanUpInput"> & {
  * Use `create(CleanUpInputSchema)` to create a new message.
  */
 export const CleanUpInputSchema: GenMessage<CleanUpInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 23);
+  messageDesc(file_jostle_v1_play, 26);
 
 /**
  * Adds a protected area, or replaces the one with its name.
@@ -1048,7 +1194,7 @@ export type ProtectInput = Message<"jostle.v1.ProtectInput"> & {
  * Use `create(ProtectInputSchema)` to create a new message.
  */
 export const ProtectInputSchema: GenMessage<ProtectInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 24);
+  messageDesc(file_jostle_v1_play, 27);
 
 /**
  * @generated from message jostle.v1.UnprotectInput
@@ -1067,7 +1213,7 @@ export type UnprotectInput = Message<"jostle.v1.UnprotectInput"> & {
  * Use `create(UnprotectInputSchema)` to create a new message.
  */
 export const UnprotectInputSchema: GenMessage<UnprotectInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 25);
+  messageDesc(file_jostle_v1_play, 28);
 
 /**
  * Begins a vote to kick a client, or joins it. The vote succeeds with the votes of more than half of the other players,
@@ -1087,7 +1233,7 @@ export type VoteKickInput = Message<"jostle.v1.VoteKickInput"> & {
  * Use `create(VoteKickInputSchema)` to create a new message.
  */
 export const VoteKickInputSchema: GenMessage<VoteKickInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 26);
+  messageDesc(file_jostle_v1_play, 29);
 
 /**
  * Pauses the world, or resumes it if a member of the room paused it.
@@ -1106,7 +1252,7 @@ export type PauseInput = Message<"jostle.v1.PauseInput"> & {
  * Use `create(PauseInputSchema)` to create a new message.
  */
 export const PauseInputSchema: GenMessage<PauseInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 27);
+  messageDesc(file_jostle_v1_play, 30);
 
 /**
  * Starts the world from its scene again. Clients receive a WORLD_RESTARTED notice and resume their sessions.
@@ -1121,7 +1267,7 @@ export type ResetInput = Message<"jostle.v1.ResetInput"> & {
  * Use `create(ResetInputSchema)` to create a new message.
  */
 export const ResetInputSchema: GenMessage<ResetInput> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 28);
+  messageDesc(file_jostle_v1_play, 31);
 
 /**
  * Acknowledges decoded snapshots.
@@ -1164,7 +1310,7 @@ export type Ack = Message<"jostle.v1.Ack"> & {
  * Use `create(AckSchema)` to create a new message.
  */
 export const AckSchema: GenMessage<Ack> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 29);
+  messageDesc(file_jostle_v1_play, 32);
 
 /**
  * Measures the clock offset and the round-trip time. The server answers with a Pong.
@@ -1185,7 +1331,7 @@ export type Ping = Message<"jostle.v1.Ping"> & {
  * Use `create(PingSchema)` to create a new message.
  */
 export const PingSchema: GenMessage<Ping> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 30);
+  messageDesc(file_jostle_v1_play, 33);
 
 /**
  * Ends the session. The server removes the client at once, without a resume timeout, and closes the stream with OK.
@@ -1200,7 +1346,7 @@ export type Leave = Message<"jostle.v1.Leave"> & {
  * Use `create(LeaveSchema)` to create a new message.
  */
 export const LeaveSchema: GenMessage<Leave> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 31);
+  messageDesc(file_jostle_v1_play, 34);
 
 /**
  * A message from the server to the client.
@@ -1257,7 +1403,7 @@ export type ServerMessage = Message<"jostle.v1.ServerMessage"> & {
  * Use `create(ServerMessageSchema)` to create a new message.
  */
 export const ServerMessageSchema: GenMessage<ServerMessage> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 32);
+  messageDesc(file_jostle_v1_play, 35);
 
 /**
  * State of the entities of one interest cell, encoded like a frame (WIRE.md, "Cells").
@@ -1304,7 +1450,7 @@ export type CellUpdate = Message<"jostle.v1.CellUpdate"> & {
  * Use `create(CellUpdateSchema)` to create a new message.
  */
 export const CellUpdateSchema: GenMessage<CellUpdate> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 33);
+  messageDesc(file_jostle_v1_play, 36);
 
 /**
  * Accepts a Hello. The first message of a stream.
@@ -1465,7 +1611,7 @@ export type Welcome = Message<"jostle.v1.Welcome"> & {
  * Use `create(WelcomeSchema)` to create a new message.
  */
 export const WelcomeSchema: GenMessage<Welcome> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 34);
+  messageDesc(file_jostle_v1_play, 37);
 
 /**
  * Credentials for datagrams in addition to this stream (WIRE.md, "Datagrams"). Valid as long as the stream.
@@ -1500,7 +1646,7 @@ export type DatagramCredentials = Message<"jostle.v1.DatagramCredentials"> & {
  * Use `create(DatagramCredentialsSchema)` to create a new message.
  */
 export const DatagramCredentialsSchema: GenMessage<DatagramCredentials> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 35);
+  messageDesc(file_jostle_v1_play, 38);
 
 /**
  * A kind of channel: state that a module publishes for an entity or for itself, as a list of integers (WIRE.md,
@@ -1522,7 +1668,7 @@ export type ChannelKind = Message<"jostle.v1.ChannelKind"> & {
   form: ChannelForm;
 
   /**
-   * published every divisor-th tick; constant in between
+   * published every divisor-th tick; constant in between, except for the first points of a kind
    *
    * @generated from field: uint32 divisor = 3;
    */
@@ -1534,7 +1680,7 @@ export type ChannelKind = Message<"jostle.v1.ChannelKind"> & {
  * Use `create(ChannelKindSchema)` to create a new message.
  */
 export const ChannelKindSchema: GenMessage<ChannelKind> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 36);
+  messageDesc(file_jostle_v1_play, 39);
 
 /**
  * The constant properties of a point object: a rope, a cloth, a group of particles. It precedes the first PointUpdate
@@ -1652,7 +1798,7 @@ export type PointObject = Message<"jostle.v1.PointObject"> & {
  * Use `create(PointObjectSchema)` to create a new message.
  */
 export const PointObjectSchema: GenMessage<PointObject> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 37);
+  messageDesc(file_jostle_v1_play, 40);
 
 /**
  * A state of a point object (WIRE.md, "Points").
@@ -1705,7 +1851,7 @@ export type PointUpdate = Message<"jostle.v1.PointUpdate"> & {
  * Use `create(PointUpdateSchema)` to create a new message.
  */
 export const PointUpdateSchema: GenMessage<PointUpdate> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 38);
+  messageDesc(file_jostle_v1_play, 41);
 
 /**
  * Quantization of poses; WIRE.md has the formulas.
@@ -1733,7 +1879,7 @@ export type QuantSpec = Message<"jostle.v1.QuantSpec"> & {
  * Use `create(QuantSpecSchema)` to create a new message.
  */
 export const QuantSpecSchema: GenMessage<QuantSpec> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 39);
+  messageDesc(file_jostle_v1_play, 42);
 
 /**
  * A chunk of a shape of more than 1 kB, sent once for all bodies that use it: a serialized Shape with only its kind
@@ -1775,7 +1921,7 @@ export type GeometryChunk = Message<"jostle.v1.GeometryChunk"> & {
  * Use `create(GeometryChunkSchema)` to create a new message.
  */
 export const GeometryChunkSchema: GenMessage<GeometryChunk> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 40);
+  messageDesc(file_jostle_v1_play, 43);
 
 /**
  * Changes in the list of entities since the last EntityUpdate to this client. The first ones list all entities. A large
@@ -1815,7 +1961,7 @@ export type EntityUpdate = Message<"jostle.v1.EntityUpdate"> & {
  * Use `create(EntityUpdateSchema)` to create a new message.
  */
 export const EntityUpdateSchema: GenMessage<EntityUpdate> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 41);
+  messageDesc(file_jostle_v1_play, 44);
 
 /**
  * @generated from message jostle.v1.Entity
@@ -1912,7 +2058,7 @@ export type Entity = Message<"jostle.v1.Entity"> & {
  * Use `create(EntitySchema)` to create a new message.
  */
 export const EntitySchema: GenMessage<Entity> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 42);
+  messageDesc(file_jostle_v1_play, 45);
 
 /**
  * Everything that the server sends to a client for one tick.
@@ -2036,6 +2182,35 @@ export type Snapshot = Message<"jostle.v1.Snapshot"> & {
    * @generated from field: repeated uint32 points_ended = 21;
    */
   pointsEnded: number[];
+
+  /**
+   * for subscribers (Hello.players), in order
+   *
+   * @generated from field: repeated jostle.v1.PlayerUpdate players = 30;
+   */
+  players: PlayerUpdate[];
+
+  /**
+   * for subscribers (Hello.attributes), in order
+   *
+   * @generated from field: repeated jostle.v1.AttributeUpdate attributes = 31;
+   */
+  attributes: AttributeUpdate[];
+
+  /**
+   * for subscribers (Hello.topics), in order
+   *
+   * @generated from field: repeated jostle.v1.UserMessage messages = 32;
+   */
+  messages: UserMessage[];
+
+  /**
+   * User messages before these that the server no longer stored when the client was ready to receive them. It includes
+   * messages to others.
+   *
+   * @generated from field: uint32 messages_missed = 33;
+   */
+  messagesMissed: number;
 };
 
 /**
@@ -2043,7 +2218,390 @@ export type Snapshot = Message<"jostle.v1.Snapshot"> & {
  * Use `create(SnapshotSchema)` to create a new message.
  */
 export const SnapshotSchema: GenMessage<Snapshot> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 43);
+  messageDesc(file_jostle_v1_play, 46);
+
+/**
+ * A client in a world, from its first join until it leaves for good. A client whose connection broke stays in the list
+ * until its resume timeout.
+ *
+ * @generated from message jostle.v1.Player
+ */
+export type Player = Message<"jostle.v1.Player"> & {
+  /**
+   * client id
+   *
+   * @generated from field: uint32 client = 1;
+   */
+  client: number;
+
+  /**
+   * @generated from field: string name = 2;
+   */
+  name: string;
+
+  /**
+   * @generated from field: jostle.v1.PlayerRole role = 3;
+   */
+  role: PlayerRole;
+
+  /**
+   * 0xRRGGBB
+   *
+   * @generated from field: optional fixed32 color = 4;
+   */
+  color?: number | undefined;
+
+  /**
+   * the connection broke; the client may resume
+   *
+   * @generated from field: bool disconnected = 5;
+   */
+  disconnected: boolean;
+
+  /**
+   * @generated from field: uint32 joined_tick = 6;
+   */
+  joinedTick: number;
+
+  /**
+   * round-trip time, ms; 0: unknown. Only in PlayerUpdate.players
+   *
+   * @generated from field: uint32 ping_ms = 7;
+   */
+  pingMs: number;
+};
+
+/**
+ * Describes the message jostle.v1.Player.
+ * Use `create(PlayerSchema)` to create a new message.
+ */
+export const PlayerSchema: GenMessage<Player> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 47);
+
+/**
+ * @generated from message jostle.v1.PlayerEvent
+ */
+export type PlayerEvent = Message<"jostle.v1.PlayerEvent"> & {
+  /**
+   * @generated from field: uint32 tick = 1;
+   */
+  tick: number;
+
+  /**
+   * @generated from field: jostle.v1.PlayerEventKind kind = 2;
+   */
+  kind: PlayerEventKind;
+
+  /**
+   * after the event; of a player that left: before it
+   *
+   * @generated from field: jostle.v1.Player player = 3;
+   */
+  player?: Player | undefined;
+};
+
+/**
+ * Describes the message jostle.v1.PlayerEvent.
+ * Use `create(PlayerEventSchema)` to create a new message.
+ */
+export const PlayerEventSchema: GenMessage<PlayerEvent> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 48);
+
+/**
+ * A change of the player list. The list is the last complete one with all later events applied. A snapshot that a
+ * client requested with Ack.need_keyframe carries complete lists of players and attributes.
+ *
+ * @generated from message jostle.v1.PlayerUpdate
+ */
+export type PlayerUpdate = Message<"jostle.v1.PlayerUpdate"> & {
+  /**
+   * `players` replaces the list
+   *
+   * @generated from field: bool complete = 1;
+   */
+  complete: boolean;
+
+  /**
+   * sorted by client id
+   *
+   * @generated from field: repeated jostle.v1.Player players = 2;
+   */
+  players: Player[];
+
+  /**
+   * in order
+   *
+   * @generated from field: repeated jostle.v1.PlayerEvent events = 3;
+   */
+  events: PlayerEvent[];
+
+  /**
+   * of all connected players, once per second
+   *
+   * @generated from field: repeated jostle.v1.PlayerPing pings = 4;
+   */
+  pings: PlayerPing[];
+};
+
+/**
+ * Describes the message jostle.v1.PlayerUpdate.
+ * Use `create(PlayerUpdateSchema)` to create a new message.
+ */
+export const PlayerUpdateSchema: GenMessage<PlayerUpdate> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 49);
+
+/**
+ * @generated from message jostle.v1.PlayerPing
+ */
+export type PlayerPing = Message<"jostle.v1.PlayerPing"> & {
+  /**
+   * @generated from field: uint32 client = 1;
+   */
+  client: number;
+
+  /**
+   * round-trip time, ms; 0: unknown
+   *
+   * @generated from field: uint32 ping_ms = 2;
+   */
+  pingMs: number;
+};
+
+/**
+ * Describes the message jostle.v1.PlayerPing.
+ * Use `create(PlayerPingSchema)` to create a new message.
+ */
+export const PlayerPingSchema: GenMessage<PlayerPing> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 50);
+
+/**
+ * A typed value with a name.
+ *
+ * @generated from message jostle.v1.Attribute
+ */
+export type Attribute = Message<"jostle.v1.Attribute"> & {
+  /**
+   * 1 to 32 of the characters a-z, 0-9, '_' and '.'
+   *
+   * @generated from field: string key = 1;
+   */
+  key: string;
+
+  /**
+   * none: the attribute is removed, or the receiver may no longer read it
+   *
+   * @generated from oneof jostle.v1.Attribute.value
+   */
+  value: {
+    /**
+     * @generated from field: bool boolean = 2;
+     */
+    value: boolean;
+    case: "boolean";
+  } | {
+    /**
+     * @generated from field: sint64 integer = 3;
+     */
+    value: bigint;
+    case: "integer";
+  } | {
+    /**
+     * finite
+     *
+     * @generated from field: double number = 4;
+     */
+    value: number;
+    case: "number";
+  } | {
+    /**
+     * UTF-8, at most world.attribute_text_bytes_max (default 256) bytes
+     *
+     * @generated from field: string text = 5;
+     */
+    value: string;
+    case: "text";
+  } | {
+    /**
+     * finite
+     *
+     * @generated from field: jostle.v1.Vec3 vector = 6;
+     */
+    value: Vec3;
+    case: "vector";
+  } | { case: undefined; value?: undefined };
+
+  /**
+   * @generated from field: jostle.v1.AttributeVisibility visibility = 7;
+   */
+  visibility: AttributeVisibility;
+
+  /**
+   * one bit (1 << PlayerRole) per role; only with ROLES
+   *
+   * @generated from field: uint32 roles = 8;
+   */
+  roles: number;
+
+  /**
+   * set by the server, so that clients cannot change it; ignored in inputs
+   *
+   * @generated from field: bool read_only = 9;
+   */
+  readOnly: boolean;
+};
+
+/**
+ * Describes the message jostle.v1.Attribute.
+ * Use `create(AttributeSchema)` to create a new message.
+ */
+export const AttributeSchema: GenMessage<Attribute> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 51);
+
+/**
+ * Attributes of one target. The attributes of an entity or a player end with it. A client with an area of interest
+ * receives the attributes of all entities.
+ *
+ * @generated from message jostle.v1.AttributeSet
+ */
+export type AttributeSet = Message<"jostle.v1.AttributeSet"> & {
+  /**
+   * @generated from oneof jostle.v1.AttributeSet.target
+   */
+  target: {
+    /**
+     * @generated from field: uint32 entity = 1;
+     */
+    value: number;
+    case: "entity";
+  } | {
+    /**
+     * client id
+     *
+     * @generated from field: uint32 player = 2;
+     */
+    value: number;
+    case: "player";
+  } | {
+    /**
+     * true
+     *
+     * @generated from field: bool world = 3;
+     */
+    value: boolean;
+    case: "world";
+  } | { case: undefined; value?: undefined };
+
+  /**
+   * sorted by key in updates
+   *
+   * @generated from field: repeated jostle.v1.Attribute attributes = 4;
+   */
+  attributes: Attribute[];
+};
+
+/**
+ * Describes the message jostle.v1.AttributeSet.
+ * Use `create(AttributeSetSchema)` to create a new message.
+ */
+export const AttributeSetSchema: GenMessage<AttributeSet> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 52);
+
+/**
+ * Changes of the attributes that the client may read.
+ *
+ * @generated from message jostle.v1.AttributeUpdate
+ */
+export type AttributeUpdate = Message<"jostle.v1.AttributeUpdate"> & {
+  /**
+   * @generated from field: uint32 tick = 1;
+   */
+  tick: number;
+
+  /**
+   * the client discards all earlier attributes
+   *
+   * @generated from field: bool complete = 2;
+   */
+  complete: boolean;
+
+  /**
+   * @generated from field: repeated jostle.v1.AttributeSet sets = 3;
+   */
+  sets: AttributeSet[];
+
+  /**
+   * the client discards their attributes; may list unknown ones
+   *
+   * @generated from field: repeated uint32 entities_ended = 4;
+   */
+  entitiesEnded: number[];
+
+  /**
+   * likewise
+   *
+   * @generated from field: repeated uint32 players_ended = 5;
+   */
+  playersEnded: number[];
+};
+
+/**
+ * Describes the message jostle.v1.AttributeUpdate.
+ * Use `create(AttributeUpdateSchema)` to create a new message.
+ */
+export const AttributeUpdateSchema: GenMessage<AttributeUpdate> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 53);
+
+/**
+ * A message from a client or the server to clients. The server does not interpret it.
+ *
+ * @generated from message jostle.v1.UserMessage
+ */
+export type UserMessage = Message<"jostle.v1.UserMessage"> & {
+  /**
+   * counts the messages of the world from 1; those to others leave gaps
+   *
+   * @generated from field: uint32 number = 1;
+   */
+  number: number;
+
+  /**
+   * in which it was sent
+   *
+   * @generated from field: uint32 tick = 2;
+   */
+  tick: number;
+
+  /**
+   * client id; 0: the server
+   *
+   * @generated from field: uint32 from = 3;
+   */
+  from: number;
+
+  /**
+   * @generated from field: string topic = 4;
+   */
+  topic: string;
+
+  /**
+   * @generated from field: bytes data = 5;
+   */
+  data: Uint8Array;
+
+  /**
+   * addressed to this client, not to all
+   *
+   * @generated from field: bool direct = 6;
+   */
+  direct: boolean;
+};
+
+/**
+ * Describes the message jostle.v1.UserMessage.
+ * Use `create(UserMessageSchema)` to create a new message.
+ */
+export const UserMessageSchema: GenMessage<UserMessage> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 54);
 
 /**
  * The part of a snapshot that concerns only the receiving client.
@@ -2100,7 +2658,7 @@ export type ClientUpdate = Message<"jostle.v1.ClientUpdate"> & {
  * Use `create(ClientUpdateSchema)` to create a new message.
  */
 export const ClientUpdateSchema: GenMessage<ClientUpdate> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 44);
+  messageDesc(file_jostle_v1_play, 55);
 
 /**
  * State of the entity that this client controls, for prediction. Sent at most 16 times per second to clients that
@@ -2163,7 +2721,7 @@ export type ControlledEntityState = Message<"jostle.v1.ControlledEntityState"> &
  * Use `create(ControlledEntityStateSchema)` to create a new message.
  */
 export const ControlledEntityStateSchema: GenMessage<ControlledEntityState> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 45);
+  messageDesc(file_jostle_v1_play, 56);
 
 /**
  * @generated from message jostle.v1.InputResult
@@ -2220,7 +2778,7 @@ export type InputResult = Message<"jostle.v1.InputResult"> & {
  * Use `create(InputResultSchema)` to create a new message.
  */
 export const InputResultSchema: GenMessage<InputResult> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 46);
+  messageDesc(file_jostle_v1_play, 57);
 
 /**
  * Answers a Ping.
@@ -2248,7 +2806,7 @@ export type Pong = Message<"jostle.v1.Pong"> & {
  * Use `create(PongSchema)` to create a new message.
  */
 export const PongSchema: GenMessage<Pong> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 47);
+  messageDesc(file_jostle_v1_play, 58);
 
 /**
  * Statistics of a world, sent twice per second by default (stream.stats_per_second in the server's settings).
@@ -2331,7 +2889,7 @@ export type WorldStats = Message<"jostle.v1.WorldStats"> & {
  * Use `create(WorldStatsSchema)` to create a new message.
  */
 export const WorldStatsSchema: GenMessage<WorldStats> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 48);
+  messageDesc(file_jostle_v1_play, 59);
 
 /**
  * @generated from message jostle.v1.Notice
@@ -2353,7 +2911,7 @@ export type Notice = Message<"jostle.v1.Notice"> & {
  * Use `create(NoticeSchema)` to create a new message.
  */
 export const NoticeSchema: GenMessage<Notice> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 49);
+  messageDesc(file_jostle_v1_play, 60);
 
 /**
  * Events of one tick, sorted by entity. Sent only to subscribers (Hello.events), for ticks with events. A client that
@@ -2438,7 +2996,7 @@ export type Events = Message<"jostle.v1.Events"> & {
  * Use `create(EventsSchema)` to create a new message.
  */
 export const EventsSchema: GenMessage<Events> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 50);
+  messageDesc(file_jostle_v1_play, 61);
 
 /**
  * @generated from message jostle.v1.ContactEvent
@@ -2488,7 +3046,7 @@ export type ContactEvent = Message<"jostle.v1.ContactEvent"> & {
  * Use `create(ContactEventSchema)` to create a new message.
  */
 export const ContactEventSchema: GenMessage<ContactEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 51);
+  messageDesc(file_jostle_v1_play, 62);
 
 /**
  * @generated from message jostle.v1.TriggerEvent
@@ -2512,7 +3070,7 @@ export type TriggerEvent = Message<"jostle.v1.TriggerEvent"> & {
  * Use `create(TriggerEventSchema)` to create a new message.
  */
 export const TriggerEventSchema: GenMessage<TriggerEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 52);
+  messageDesc(file_jostle_v1_play, 63);
 
 /**
  * @generated from message jostle.v1.JointBreakEvent
@@ -2548,7 +3106,7 @@ export type JointBreakEvent = Message<"jostle.v1.JointBreakEvent"> & {
  * Use `create(JointBreakEventSchema)` to create a new message.
  */
 export const JointBreakEventSchema: GenMessage<JointBreakEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 53);
+  messageDesc(file_jostle_v1_play, 64);
 
 /**
  * The role of a client in one world. Each role has the permissions of those before it.
@@ -2683,6 +3241,96 @@ export const PointFormSchema: GenEnum<PointForm> = /*@__PURE__*/
   enumDesc(file_jostle_v1_play, 2);
 
 /**
+ * @generated from enum jostle.v1.PlayerEventKind
+ */
+export enum PlayerEventKind {
+  /**
+   * @generated from enum value: PLAYER_EVENT_KIND_UNSPECIFIED = 0;
+   */
+  UNSPECIFIED = 0,
+
+  /**
+   * @generated from enum value: PLAYER_EVENT_KIND_JOINED = 1;
+   */
+  JOINED = 1,
+
+  /**
+   * the attributes of the player end with it
+   *
+   * @generated from enum value: PLAYER_EVENT_KIND_LEFT = 2;
+   */
+  LEFT = 2,
+
+  /**
+   * @generated from enum value: PLAYER_EVENT_KIND_RENAMED = 3;
+   */
+  RENAMED = 3,
+
+  /**
+   * @generated from enum value: PLAYER_EVENT_KIND_ROLE_CHANGED = 4;
+   */
+  ROLE_CHANGED = 4,
+
+  /**
+   * the connection broke; the client may resume
+   *
+   * @generated from enum value: PLAYER_EVENT_KIND_DISCONNECTED = 5;
+   */
+  DISCONNECTED = 5,
+
+  /**
+   * @generated from enum value: PLAYER_EVENT_KIND_RESUMED = 6;
+   */
+  RESUMED = 6,
+}
+
+/**
+ * Describes the enum jostle.v1.PlayerEventKind.
+ */
+export const PlayerEventKindSchema: GenEnum<PlayerEventKind> = /*@__PURE__*/
+  enumDesc(file_jostle_v1_play, 3);
+
+/**
+ * Receivers of an attribute.
+ *
+ * @generated from enum jostle.v1.AttributeVisibility
+ */
+export enum AttributeVisibility {
+  /**
+   * as EVERYONE
+   *
+   * @generated from enum value: ATTRIBUTE_VISIBILITY_UNSPECIFIED = 0;
+   */
+  UNSPECIFIED = 0,
+
+  /**
+   * @generated from enum value: ATTRIBUTE_VISIBILITY_EVERYONE = 1;
+   */
+  EVERYONE = 1,
+
+  /**
+   * The client that owns the entity, the client of the player, or the clients with the role owner for attributes of the
+   * world.
+   *
+   * @generated from enum value: ATTRIBUTE_VISIBILITY_OWNER = 2;
+   */
+  OWNER = 2,
+
+  /**
+   * the clients whose role is in Attribute.roles
+   *
+   * @generated from enum value: ATTRIBUTE_VISIBILITY_ROLES = 3;
+   */
+  ROLES = 3,
+}
+
+/**
+ * Describes the enum jostle.v1.AttributeVisibility.
+ */
+export const AttributeVisibilitySchema: GenEnum<AttributeVisibility> = /*@__PURE__*/
+  enumDesc(file_jostle_v1_play, 4);
+
+/**
  * @generated from enum jostle.v1.InputCode
  */
 export enum InputCode {
@@ -2737,7 +3385,7 @@ export enum InputCode {
  * Describes the enum jostle.v1.InputCode.
  */
 export const InputCodeSchema: GenEnum<InputCode> = /*@__PURE__*/
-  enumDesc(file_jostle_v1_play, 3);
+  enumDesc(file_jostle_v1_play, 5);
 
 /**
  * @generated from enum jostle.v1.NoticeCode
@@ -2789,7 +3437,7 @@ export enum NoticeCode {
  * Describes the enum jostle.v1.NoticeCode.
  */
 export const NoticeCodeSchema: GenEnum<NoticeCode> = /*@__PURE__*/
-  enumDesc(file_jostle_v1_play, 4);
+  enumDesc(file_jostle_v1_play, 6);
 
 /**
  * @generated from service jostle.v1.PlayService

@@ -17,13 +17,21 @@ export function element<K extends keyof HTMLElementTagNameMap>(tag: K, text = ''
 export function button(text: string, onClick: () => void): HTMLButtonElement {
   const created = element('button', text);
   created.type = 'button';
-  created.addEventListener('click', onClick);
+  created.addEventListener('click', () => {
+    created.disabled = true; // until the next table replaces it
+    onClick();
+  });
   return created;
+}
+
+/** Whether the user is about to press a button of the element, or chooses from a list. */
+export function isInUse(parent: HTMLElement): boolean {
+  return parent.matches(':has(button:enabled:hover, select:focus)');
 }
 
 /** Replaces the content of `parent`, unless the user is about to press one of its buttons. */
 export function showTable<Row>(parent: HTMLElement, columns: readonly Column<Row>[], rows: readonly Row[], empty: string): void {
-  if (parent.matches(':has(button:hover, select:focus)')) return;
+  if (isInUse(parent)) return;
   if (rows.length === 0) {
     parent.replaceChildren(element('p', empty, 'empty'));
     return;

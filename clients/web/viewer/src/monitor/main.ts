@@ -2,7 +2,7 @@
 // administrator. It polls GetServerStatus once per second.
 
 import { AdminApi, CallError, type Ban, type ClientInfo, type LogLine, type Room, type RoomMember, type ServerStatus, type WorldInfo } from './api';
-import { button, element, showTable } from './dom';
+import { button, element, isInUse, showTable } from './dom';
 import { duration, Rates, shortNumber, type Rate } from './rates';
 import './style.css';
 
@@ -231,7 +231,7 @@ function showRoom(room: Room): void {
       find('room-section').hidden = true;
     }),
   );
-  if (!find('room').matches(':has(button:hover, select:focus)')) find('room').replaceChildren(members, rules, actions);
+  if (!isInUse(find('room'))) find('room').replaceChildren(members, rules, actions);
 }
 
 async function openRoom(world: string): Promise<void> {

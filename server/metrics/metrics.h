@@ -49,12 +49,15 @@ enum class TrafficKind {
     points,    // point objects
     events,
     statistics,
-    results,  // of inputs, and the rest of the client update
-    replies,  // welcomes, pongs and notices
+    results,     // of inputs, and the rest of the client update
+    replies,     // welcomes, pongs and notices
+    attributes,  // with the list of players
+    messages,    // of users
 };
 constexpr auto names_of(TrafficKind) {
-    return std::to_array<std::string_view>(
-        {"entities", "poses", "channels", "points", "events", "statistics", "results", "replies"});
+    return std::to_array<std::string_view>({"entities", "poses", "channels", "points", "events",
+                                            "statistics", "results", "replies", "attributes",
+                                            "messages"});
 }
 inline constexpr std::size_t traffic_kinds = names_of(TrafficKind{}).size();
 

@@ -25,6 +25,7 @@ public:
         return revision_ != frame.players->revision;
     }
     void append(const FramePtr& frame, Clock::time_point now, SnapshotParts& parts) override;
+    TrafficKind traffic_kind() const override { return TrafficKind::attributes; }
     // The next snapshot is a keyframe, at which a recording can be entered: it carries the complete
     // list.
     void send_complete() { sends_complete_ = true; }
@@ -52,6 +53,7 @@ public:
         return revision_ != frame.attributes->revision || is_role_changed(frame);
     }
     void append(const FramePtr& frame, Clock::time_point now, SnapshotParts& parts) override;
+    TrafficKind traffic_kind() const override { return TrafficKind::attributes; }
     // As PlayersSection::send_complete().
     void send_complete() { revision_.reset(), has_table_ = true; }
 
@@ -80,6 +82,7 @@ public:
 
     bool has_changes(const Frame& frame) const override { return cursor_ < frame.messages->count; }
     void append(const FramePtr& frame, Clock::time_point now, SnapshotParts& parts) override;
+    TrafficKind traffic_kind() const override { return TrafficKind::messages; }
 
     // Number of the last message that was sent, skipped or missed.
     std::uint32_t cursor() const { return cursor_; }

@@ -11,8 +11,8 @@
 #include "jostle/modules/cloth_def.h"
 #include "jostle/physics/nearby_shapes.h"
 #include "jostle/physics/queries.h"
-#include "modules/cloth/src/self_contacts.h"
 #include "modules/cloth/src/sheet.h"
+#include "modules/cloth/src/sheet_contacts.h"
 
 namespace jostle::modules::cloth_detail {
 
@@ -64,7 +64,12 @@ struct Cloth {
     std::vector<physics::Vec3> own_moved, common_moved;  // per attachment
     std::vector<std::uint32_t> overloaded;               // threads above the breaking load
     double overload = 0;                                 // N/m, of the first
-    SelfContacts self;
+    SheetContacts sheet_contacts;
+    std::vector<ContactSheet> contact_sheets;
+    // The cloths that may touch each other in this step advance together. The first of them leads.
+    Cloth* leader = nullptr;         // of others than this one; null: it leads
+    std::vector<Cloth*> companions;  // of a leader, by key
+    std::vector<Cloth*> obstacles;   // of a leader: asleep, by key
 };
 
 inline std::vector<Support> supports_of(const Cloth& cloth) {

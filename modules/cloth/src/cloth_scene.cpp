@@ -51,6 +51,7 @@ public:
         count("substeps", def.substeps, 1, 64);
         reader_.flag("collide_bodies", def.collide_bodies);
         reader_.flag("collide_self", def.collide_self);
+        reader_.flag("collide_cloths", def.collide_cloths);
         count("body_categories", def.body_categories, 0, 4294967295.0);
         count("color", def.color, 0, 0xffffff);
         reader_.flag("hang", hang);

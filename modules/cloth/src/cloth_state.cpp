@@ -60,6 +60,7 @@ void visit_def(StateVisitor& v, ClothDef& def) {
     v.field("substeps", def.substeps);
     v.field("collide_bodies", def.collide_bodies);
     v.field("collide_self", def.collide_self);
+    v.field("collide_cloths", def.collide_cloths);
     v.field("body_categories", def.body_categories);
     v.field("color", def.color);
     v.leave();

@@ -70,7 +70,8 @@ public:
     Part(Cloth& cloth, Vec3 gravity, double h, int bends)
         : cloth_(cloth), gravity_(gravity), h_(h), bends_(bends) {}
 
-    void run() {
+    // Up to the contacts between sheets.
+    void begin() {
         cloth_.bodies.pull_grabs(h_);
         cloth_.bodies.place(cloth_.nearby);
         find_contacts(cloth_, h_, gravity_);
@@ -81,8 +82,8 @@ public:
         cloth_.sheet.solve_threads(h_);
         note_overloads();
         resolve_contacts(cloth_, h_);
-        if (cloth_.def.collide_self)
-            cloth_.self.resolve(cloth_.sheet, 2 * cloth_.def.thickness, cloth_.def.friction);
+    }
+    void end() {
         release_attachments();
         cloth_.sheet.finish(h_, gravity_, cloth_.def.damping);
         cloth_.bodies.move(h_);
@@ -169,7 +170,10 @@ void begin_step(World& world, Cloth& cloth, double dt) {
     drop_lost_bodies(world, cloth);
     cloth.substeps_done = 0;
     cloth.overloaded.clear();
-    cloth.self.begin_step();
+    cloth.sheet_contacts.begin_step();
+    cloth.leader = nullptr;
+    cloth.companions.clear();
+    cloth.obstacles.clear();
     const double speed = greatest_speed(cloth.sheet);
     const double reach = cloth.def.thickness + dt * (speed + dt * length(world.gravity()));
     if (cloth.def.collide_bodies)
@@ -190,11 +194,20 @@ void begin_step(World& world, Cloth& cloth, double dt) {
         const auto strong = [](float x) { return absolute(double{x}) > 0.5; };
         if (std::ranges::any_of(a, strong)) wake(cloth);
     }
-    if (!cloth.awake) return;
+}
+
+void find_bodies(World& world, Cloth& cloth, double dt) {
     cloth.sheet.rebase();
     cloth.bodies.forget_old_contacts();
-    const bool is_new = expect_bodies(cloth, dt, world.gravity());
-    if (is_new || cloth.rest_time == 0) cloth.bodies.tie(world);
+    bool moves = expect_bodies(cloth, dt, world.gravity()) || cloth.rest_time == 0;
+    // One group of sub-steps owns a leader and its companions, which find their bodies first.
+    std::vector<BodyId> others;
+    for (const Cloth* companion : cloth.companions) {
+        const std::span<const BodyId> tied = companion->bodies.ties().bodies();
+        others.insert(others.end(), tied.begin(), tied.end());
+        moves = moves || companion->rest_time == 0;
+    }
+    if (moves) cloth.bodies.tie(world, others);
     cloth.bodies.find(world, cloth.nearby);
 }
 
@@ -211,17 +224,48 @@ static int parts_for_bodies(const Cloth& cloth, double h, int least) {
     return parts;
 }
 
-void advance(Cloth& cloth, const ClothSubstep& substep, int least) {
-    ASSERT(least >= 1 && substep.h > 0);
-    cloth.bodies.read(substep.group);
-    const int parts =
-        cloth.sheet.stable_parts(substep.h, parts_for_bodies(cloth, substep.h, least));
+// Parts of a sub-step of a cloth.
+static int parts_of(const Cloth& cloth, double h, int count) {
+    const int least = (static_cast<int>(cloth.def.substeps) + count - 1) / count;
+    return cloth.sheet.stable_parts(h, parts_for_bodies(cloth, h, least));
+}
+
+static ContactSheet contact_sheet(Cloth& cloth, bool is_fixed) {
+    return {.sheet = &cloth.sheet,
+            .number = cloth.key.number,
+            .thickness = cloth.def.thickness,
+            .friction = cloth.def.friction,
+            .collide_self = cloth.def.collide_self,
+            .is_fixed = is_fixed};
+}
+
+void advance(Cloth& cloth, const ClothSubstep& substep, int count) {
+    ASSERT(count >= 1 && substep.h > 0 && cloth.leader == nullptr);
+    std::vector<Cloth*> members{&cloth};
+    members.insert(members.end(), cloth.companions.begin(), cloth.companions.end());
+    if (substep.group != nullptr && members.size() > 1)
+        for (Cloth* member : members) member->bodies.push_as_before(*substep.group);
+    int parts = 1;
+    cloth.contact_sheets.clear();
+    for (Cloth* member : members) {
+        member->bodies.read(substep.group);
+        parts = std::max(parts, parts_of(*member, substep.h, count));
+        cloth.contact_sheets.push_back(contact_sheet(*member, false));
+    }
+    for (Cloth* obstacle : cloth.obstacles)
+        cloth.contact_sheets.push_back(contact_sheet(*obstacle, true));
+    const bool sheets_touch = cloth.def.collide_self || cloth.contact_sheets.size() > 1;
+    const double h = substep.h / parts;
     for (int n = 0; n < parts; n++) {
         const int bends = n % 2 == 1 ? 0 : n + 1 < parts ? 2 : 1;
-        Part(cloth, substep.gravity, substep.h / parts, bends).run();
+        for (Cloth* member : members) Part(*member, substep.gravity, h, bends).begin();
+        if (sheets_touch) cloth.sheet_contacts.resolve(cloth.contact_sheets);
+        for (Cloth* member : members) Part(*member, substep.gravity, h, bends).end();
     }
-    cloth.bodies.write(substep.group);
-    cloth.substeps_done++;
+    for (Cloth* member : members) {
+        member->bodies.write(substep.group);
+        member->substeps_done++;
+    }
 }
 
 void end_step(World& world, Cloth& cloth, double dt) {

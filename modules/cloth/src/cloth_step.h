@@ -17,10 +17,13 @@ struct ClothSubstep {
 };
 
 void wake(Cloth& cloth);
-// Collects the shapes around an awake cloth and ties its bodies; wakes a disturbed one.
+// Collects the shapes around the cloth and wakes a disturbed one.
 void begin_step(physics::World& world, Cloth& cloth, double dt);
-// Advances the cloth by the sub-step, in `least` or more parts.
-void advance(Cloth& cloth, const ClothSubstep& substep, int least);
+// Then, if it is awake and its companions are known: ties and finds the bodies.
+void find_bodies(physics::World& world, Cloth& cloth, double dt);
+// Advances a leading cloth and its companions by the sub-step, in parts. `count` is the number of
+// sub-steps of the step.
+void advance(Cloth& cloth, const ClothSubstep& substep, int count);
 // Gives bodies outside of a group their impulses and puts a resting cloth to sleep.
 void end_step(physics::World& world, Cloth& cloth, double dt);
 

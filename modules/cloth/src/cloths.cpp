@@ -6,6 +6,7 @@
 
 #include "jostle/base/check.h"
 #include "modules/cloth/src/cloth_checks.h"
+#include "modules/cloth/src/cloth_companions.h"
 #include "modules/cloth/src/cloth_data.h"
 #include "modules/cloth/src/cloth_step.h"
 
@@ -129,6 +130,7 @@ Status Cloths::remove(World& world, ClothKey key) {
     Cloth* cloth = find(key);
     if (cloth == nullptr) return unknown(key);
     cloth->bodies.ties().release(world);
+    cloth_detail::forget_companion(cloths_, *cloth);
     std::erase_if(cloths_, [&](const auto& each) { return each.get() == cloth; });
     return {};
 }
@@ -213,14 +215,21 @@ StepHooks Cloths::hooks() const {
 void Cloths::before_step(World& world, double dt) {
     events_.clear();
     if (cloths_.empty()) return;
+    for (const auto& cloth : cloths_) cloth_detail::begin_step(world, *cloth, dt);
+    cloth_detail::find_companions(cloths_, dt, world.gravity());
+    // Leaders tie the bodies of their companions.
+    for (const bool leads : {false, true})
+        for (const auto& cloth : cloths_)
+            if (cloth->awake && (cloth->leader == nullptr) == leads)
+                cloth_detail::find_bodies(world, *cloth, dt);
     std::vector<Cloth*> alone;
     std::int64_t work = 0;
     for (const auto& cloth : cloths_) {
-        cloth_detail::begin_step(world, *cloth, dt);
         if (!cloth->awake) continue;
         work += static_cast<std::int64_t>(cloth->sheet.size()) * vertex_work *
                 cloth->sheet.stable_parts(dt, static_cast<int>(cloth->def.substeps));
-        if (cloth->bodies.ties().bodies().empty()) alone.push_back(cloth.get());
+        if (cloth->leader == nullptr && cloth->bodies.ties().bodies().empty())
+            alone.push_back(cloth.get());
     }
     world.count_work(work / 100);
     struct Run {
@@ -230,7 +239,7 @@ void Cloths::before_step(World& world, double dt) {
     world.parallel_for(static_cast<int>(alone.size()), 1, [&run](int first, int last) {
         for (int k = first; k < last; k++) {
             Cloth& cloth = *run.cloths[static_cast<std::size_t>(k)];
-            cloth_detail::advance(cloth, run.substep, static_cast<int>(cloth.def.substeps));
+            cloth_detail::advance(cloth, run.substep, 1);
         }
     });
 }
@@ -238,10 +247,9 @@ void Cloths::before_step(World& world, double dt) {
 void Cloths::before_substep(SubstepContext& substep) {
     const cloth_detail::ClothSubstep own{substep.h(), substep.world().gravity(), &substep};
     for (const auto& cloth : cloths_) {
-        if (!cloth->awake || !cloth->bodies.ties().owned_by(substep)) continue;
-        const int least =
-            (static_cast<int>(cloth->def.substeps) + substep.count() - 1) / substep.count();
-        cloth_detail::advance(*cloth, own, least);
+        if (!cloth->awake || cloth->leader != nullptr) continue;
+        if (!cloth->bodies.ties().owned_by(substep)) continue;
+        cloth_detail::advance(*cloth, own, substep.count());
     }
 }
 
@@ -249,9 +257,8 @@ void Cloths::after_step(World& world, double dt) {
     for (const auto& cloth : cloths_) {
         if (!cloth->awake) continue;
         // Its bodies were in no group, for example because the step was stopped.
-        if (cloth->substeps_done == 0)
-            cloth_detail::advance(*cloth, {dt, world.gravity(), nullptr},
-                                  static_cast<int>(cloth->def.substeps));
+        if (cloth->substeps_done == 0 && cloth->leader == nullptr)
+            cloth_detail::advance(*cloth, {dt, world.gravity(), nullptr}, 1);
         cloth_detail::end_step(world, *cloth, dt);
         if (!cloth->overloaded.empty())
             tear_threads(*cloth, std::move(cloth->overloaded), cloth->overload, events_);

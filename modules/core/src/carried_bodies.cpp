@@ -113,7 +113,7 @@ void CarriedBodies::forget_old_contacts() {
     std::erase_if(touched_, [](Touched& touched) { return touched.steps_since++ >= touch_memory; });
 }
 
-void CarriedBodies::tie(World& world) {
+void CarriedBodies::tie(World& world, std::span<const BodyId> others) {
     std::vector<BodyId> bodies;
     const auto add = [&](BodyId id) {
         const Result<BodyState> body = world.body(id);
@@ -122,6 +122,7 @@ void CarriedBodies::tie(World& world) {
     for (const Support& support : supports_)
         if (!is_null(support.body)) add(support.body);
     for (const Touched& touched : touched_) add(touched.body);
+    for (const BodyId body : others) add(body);
     std::ranges::sort(bodies);
     bodies.erase(std::unique(bodies.begin(), bodies.end()), bodies.end());
     // The world may refuse a tie if it has too many joints; the impulses then act after the step.

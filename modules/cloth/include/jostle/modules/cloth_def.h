@@ -61,6 +61,7 @@ struct ClothDef {
     std::uint32_t substeps = 8;  ///< least sub-steps per step, 1 to 64; more under high tension
     bool collide_bodies = true;  ///< whether it touches the shapes of the world
     bool collide_self = false;   ///< whether its parts touch each other
+    bool collide_cloths = true;  ///< whether it touches other cloths of which this is true
     /// Touches shapes with one of these categories, except those of bodies that it is attached to.
     std::uint32_t body_categories = 0xffffffff;
     std::uint32_t color = 0xb04040;  ///< 0xRRGGBB, for clients

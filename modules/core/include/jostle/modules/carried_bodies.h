@@ -74,8 +74,9 @@ public:
     bool any_moves(const physics::World& world, const physics::NearbyShapes& nearby) const;
     /// Forgets contacts that ended 10 steps ago.
     void forget_old_contacts();
-    /// Ties the dynamic bodies among the attached ones and those touched recently, and wakes them.
-    void tie(physics::World& world);
+    /// Ties the dynamic bodies among the attached ones, those touched recently and `others`, and
+    /// wakes them.
+    void tie(physics::World& world, std::span<const physics::BodyId> others = {});
     /// Finds the attached bodies and the nearby ones, as they are before the step.
     void find(const physics::World& world, const physics::NearbyShapes& nearby);
     /// Notes a contact with a dynamic body. Returns whether it is new.

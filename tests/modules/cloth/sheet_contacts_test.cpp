@@ -1,56 +1,34 @@
 // SPDX-License-Identifier: MIT
 //
-// Crumpled cloth never crosses itself.
-#include "modules/cloth/src/self_contacts.h"
+// Crumpled cloth never crosses itself, and cloths never cross each other.
+#include "modules/cloth/src/sheet_contacts.h"
 
 #include <gtest/gtest.h>
 
 #include <algorithm>
 #include <cmath>
+#include <vector>
+
+#include "tests/modules/cloth/crossings.h"
 
 namespace jostle::modules::cloth_detail {
 namespace {
 
 using namespace physics;
 
-// Whether the segment p q crosses the triangle.
-bool crosses(Vec3 p, Vec3 q, Vec3 a, Vec3 b, Vec3 c) {
-    const Vec3 n = cross(b - a, c - a);
-    const double dp = dot(n, p - a), dq = dot(n, q - a);
-    if (dp * dq >= 0) return false;
-    const Vec3 x = p + (q - p) * (dp / (dp - dq));
-    const double u = dot(n, cross(b - a, x - a)), v = dot(n, cross(c - b, x - b)),
-                 w = dot(n, cross(a - c, x - c));
-    return u > 0 && v > 0 && w > 0;
+int self_crossings(const Sheet& sheet) {
+    std::vector<Vec3> positions;
+    for (std::size_t k = 0; k < sheet.size(); k++) positions.push_back(sheet.position(k));
+    const auto& triangles = sheet.topology().triangles;
+    return crossings(positions, triangles, positions, triangles);
 }
 
-int crossings(const Sheet& sheet) {
-    int count = 0;
-    const auto& triangles = sheet.topology().triangles;
-    std::vector<std::array<Vec3, 2>> boxes;
-    for (const auto& t : triangles) {
-        const Vec3 a = sheet.position(t[0]), b = sheet.position(t[1]), c = sheet.position(t[2]);
-        boxes.push_back({min(a, min(b, c)), max(a, max(b, c))});
-    }
-    for (std::size_t f = 0; f < triangles.size(); f++)
-        for (std::size_t g = 0; g < triangles.size(); g++) {
-            const auto &t = triangles[f], &s = triangles[g];
-            const Vec3 low = max(boxes[f][0], boxes[g][0]), high = min(boxes[f][1], boxes[g][1]);
-            if (f == g || low.x > high.x || low.y > high.y || low.z > high.z) continue;
-            const auto shared = [&](std::uint32_t v) {
-                return v == s[0] || v == s[1] || v == s[2];
-            };
-            for (std::size_t k = 0; k < 3; k++)
-                if (!shared(t[k]) && !shared(t[(k + 1) % 3]) &&
-                    crosses(sheet.position(t[k]), sheet.position(t[(k + 1) % 3]),
-                            sheet.position(s[0]), sheet.position(s[1]), sheet.position(s[2])))
-                    count++;
-        }
-    return count;
+ContactSheet touching_itself(Sheet& sheet, const ClothDef& def) {
+    return {.sheet = &sheet, .thickness = def.thickness, .friction = 0.5, .collide_self = true};
 }
 
 // Everything is pulled to one point, so the sheet crumples to a ball under pressure.
-TEST(SelfContacts, keep_a_crumpled_sheet_free_of_crossings) {
+TEST(SheetContacts, keep_a_crumpled_sheet_free_of_crossings) {
     ClothDef def{.grid = {.rows = 21, .columns = 21, .across = {1, 0, 0}, .down = {0, 0, 1}},
                  .thickness = 0.01};
     for (const bool collide : {true, false}) {
@@ -59,7 +37,8 @@ TEST(SelfContacts, keep_a_crumpled_sheet_free_of_crossings) {
             const Vec3 p = sheet.position(k);
             sheet.set_position(k, p + Vec3{0, 0.02 * std::sin(7 * p.x) * std::cos(5 * p.z), 0});
         }
-        SelfContacts self;
+        SheetContacts self;
+        const ContactSheet itself[] = {touching_itself(sheet, def)};
         int found = 0;
         for (int n = 0; n < (collide ? 150 : 40); n++) {
             self.begin_step();
@@ -76,10 +55,10 @@ TEST(SelfContacts, keep_a_crumpled_sheet_free_of_crossings) {
                 sheet.predict(h, {0, -2, 0});
                 sheet.solve_bends(h);
                 sheet.solve_threads(h);
-                if (collide) self.resolve(sheet, 2 * def.thickness, 0.5);
+                if (collide) self.resolve(itself);
                 sheet.finish(h, {0, -2, 0}, 0.5);
             }
-            if (n % 10 == 9) found += crossings(sheet);
+            if (n % 10 == 9) found += self_crossings(sheet);
         }
         if (collide)
             EXPECT_EQ(found, 0);
@@ -89,7 +68,7 @@ TEST(SelfContacts, keep_a_crumpled_sheet_free_of_crossings) {
 }
 
 // Two layers, of one mesh, that fall onto each other: the upper one is carried at the gap.
-TEST(SelfContacts, carry_one_layer_on_another) {
+TEST(SheetContacts, carry_one_layer_on_another) {
     ClothDef def;
     def.thickness = 0.01;
     for (int layer = 0; layer < 2; layer++)
@@ -104,7 +83,8 @@ TEST(SelfContacts, carry_one_layer_on_another) {
             }
     Sheet sheet(def);
     for (std::size_t k = 0; k < 81; k++) sheet.set_inverse_mass(k, 0);
-    SelfContacts self;
+    SheetContacts self;
+    const ContactSheet itself[] = {touching_itself(sheet, def)};
     for (int n = 0; n < 120; n++) {
         self.begin_step();
         for (int part = 0; part < 8; part++) {
@@ -113,11 +93,11 @@ TEST(SelfContacts, carry_one_layer_on_another) {
             for (std::size_t k = 0; k < 81; k++) sheet.set_moved(k, {});
             sheet.solve_bends(h);
             sheet.solve_threads(h);
-            self.resolve(sheet, 2 * def.thickness, 0.5);
+            self.resolve(itself);
             sheet.finish(h, {0, -9.81, 0}, 0.5);
         }
     }
-    EXPECT_EQ(crossings(sheet), 0);
+    EXPECT_EQ(self_crossings(sheet), 0);
     double least = 1, most = 0;
     for (std::size_t k = 81; k < 162; k++) {
         const Vec3 p = sheet.position(k);

@@ -203,7 +203,8 @@ Result<ClientMessage> decode(const v1::Hello& hello) {
                                .packed_entities = hello.packed_entities(),
                                .datagrams = hello.datagrams(),
                                .resumable = hello.resumable(),
-                               .resume = std::move(resume)}};
+                               .resume = std::move(resume),
+                               .joints = hello.joints()}};
 }
 
 Result<ClientMessage> decode(const v1::InputBatch& batch) {

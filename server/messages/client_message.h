@@ -45,6 +45,7 @@ struct Hello {
         std::uint32_t frame = 0;  // 0: none
     };
     std::optional<Resume> resume = {};
+    bool joints = false;
 };
 struct Ack {
     std::uint32_t frame = 0;

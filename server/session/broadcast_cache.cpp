@@ -5,6 +5,7 @@
 
 #include "jostle/base/check.h"
 #include "server/messages/event_message.h"
+#include "server/messages/joint_update_message.h"
 #include "server/messages/server_message.h"
 
 namespace jostle::server {
@@ -13,6 +14,7 @@ namespace {
 
 // Clients that lag by a few changes still share messages; a client that lags further gets its own.
 constexpr std::size_t entity_list_changes_retained = 16;
+constexpr std::size_t joint_list_changes_retained = 4;
 
 SharedBytes share(std::string bytes) {
     return std::make_shared<const std::string>(std::move(bytes));
@@ -63,6 +65,19 @@ std::shared_ptr<const EntityUpdateMessages> BroadcastCache::entity_list_change(
         entity_list_changes_.erase(entity_list_changes_.begin());
     entity_list_changes_.push_back({from, to, form, messages});
     return messages;
+}
+
+std::shared_ptr<const std::vector<SharedBytes>> BroadcastCache::joint_list_change(
+    const std::shared_ptr<const JointList>& from, const std::shared_ptr<const JointList>& to) {
+    ASSERT(to != nullptr);
+    const std::lock_guard lock(mutex_);
+    for (const JointListChange& change : joint_list_changes_)
+        if (change.from == from && change.to == to) return change.fields;
+    const auto fields =
+        std::make_shared<const std::vector<SharedBytes>>(joint_update_fields(from.get(), *to));
+    if (joint_list_changes_.size() == joint_list_changes_retained) joint_list_changes_.pop_front();
+    joint_list_changes_.push_back({from, to, fields});
+    return fields;
 }
 
 SharedBytes BroadcastCache::world_stats(const FramePtr& frame, std::uint32_t clients) {

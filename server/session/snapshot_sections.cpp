@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "server/session/joints_section.h"
 #include "server/session/optional_sections.h"
 
 namespace jostle::server {
@@ -33,6 +34,7 @@ SnapshotSections::SnapshotSections(const Sources& sources, const Hello& hello)
         points_ = add<PointsSection>(points, sources.broadcast, cells_ ? &cells_->view() : nullptr);
     add<StatsSection>(sources.context.config.stream, sources.context.sessions, sources.broadcast);
     if (hello.events) events_ = add<EventsSection>(sources.broadcast);
+    if (hello.joints) add<JointsSection>(sources.broadcast);
     if (predicts) add<ControlledEntitySection>(sources.client, host.hz());
     optional_.shrink_to_fit();
 }

@@ -15,6 +15,7 @@
 #include "jostle/physics/world.h"
 #include "server/util/clock.h"
 #include "server/world/command.h"
+#include "server/world/joint_list.h"
 #include "server/world/module_channels.h"
 #include "server/world/pose_grid.h"
 #include "server/world/pose_list.h"
@@ -72,6 +73,8 @@ struct Frame {
     std::shared_ptr<const PointObjects> points;
     // Of this tick, while a client predicts; null: no entity is controlled.
     std::shared_ptr<const std::vector<ControlledEntityState>> controlled_entities;
+    // While a client subscribes to joints; null: none does.
+    std::shared_ptr<const JointList> joint_list;
     int awake = 0, contacts = 0;
     double step_ms = 0;                        // of this tick, solver only
     double tick_ms_mean = 0, tick_ms_max = 0;  // of whole ticks, over the last second

@@ -3,6 +3,7 @@
 
 import { nowUs } from './clock/clock_sync.js';
 import { Connection, type AreaOfInterest, type Precision, type ConnectionListener, type ConnectionState, type Input, type Socket } from './connection/connection.js';
+import type { ListedJoint } from './connection/joint_list.js';
 import type { Entity } from './gen/jostle/v1/play_pb.js';
 import type { PointObjectView } from './interpolation/point_objects.js';
 import { RenderedPoses } from './interpolation/rendered_poses.js';
@@ -29,6 +30,8 @@ export interface ConnectOptions {
   readonly areaOfInterest?: AreaOfInterest;
   /** Precision of the poses for this client; default: that of the world. */
   readonly precision?: Precision;
+  /** Whether to receive joints (Client.joints); default: false. */
+  readonly joints?: boolean;
   /** Whether to receive events (ConnectionListener.worldEvents); default: false. */
   readonly events?: boolean;
   /**
@@ -76,7 +79,7 @@ export class Client {
 
   /** Use connect(). */
   constructor(options: ConnectOptions) {
-    const { url, token, channels = [], areaOfInterest, precision, events = false, prediction = false, listener = {} } = options;
+    const { url, token, channels = [], areaOfInterest, precision, joints = false, events = false, prediction = false, listener = {} } = options;
     this.listener = listener;
     const channelKinds = prediction === false ? channels : [...channels, MOTION_CHANNEL];
     const forward: ConnectionListener = {
@@ -89,8 +92,9 @@ export class Client {
       worldEvents: (worldEvents) => listener.worldEvents?.(worldEvents),
       inputRejected: (result) => listener.inputRejected?.(result),
       notice: (text) => listener.notice?.(text),
+      joints: (list) => listener.joints?.(list),
     };
-    this.connection = new Connection({ url, listener: forward, openSocket: options.openSocket, token, channelKinds, areaOfInterest, precision });
+    this.connection = new Connection({ url, listener: forward, openSocket: options.openSocket, token, channelKinds, areaOfInterest, precision, joints });
     this.connection.setEventsEnabled(events);
   }
 
@@ -140,6 +144,11 @@ export class Client {
   /** All entities of the world by id: shapes, names, masses and owners. Poses are separate: sample(). */
   get entities(): ReadonlyMap<number, Entity> {
     return this.connection.entities;
+  }
+
+  /** Joints of the world by id, if ConnectOptions.joints is set. */
+  get joints(): ReadonlyMap<number, ListedJoint> {
+    return this.connection.joints.joints;
   }
 
   /**

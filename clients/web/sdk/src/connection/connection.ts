@@ -20,6 +20,7 @@ import { FrameBuffer, type PoseFrame } from '../interpolation/frame_buffer.js';
 import { PointObjects } from '../interpolation/point_objects.js';
 import { InputClock } from '../clock/input_clock.js';
 import { InputQueue } from './input_queue.js';
+import { JointList } from './joint_list.js';
 import { LargeShapes } from './large_shapes.js';
 import { RenderClock } from '../clock/render_clock.js';
 import { renderedTime } from '../interpolation/rendered_time.js';
@@ -39,6 +40,7 @@ import {
   type InputSchema,
   type Notice,
   type EntityUpdate,
+  type JointUpdate,
   type ServerMessage,
   type Snapshot,
   type Welcome,
@@ -91,6 +93,8 @@ export interface ConnectionListener {
   inputRejected(result: InputResult): void;
   /** A message from the server for the user. */
   notice(text: string): void;
+  /** Joints were added or removed; only with ConnectionOptions.joints. */
+  joints?(joints: JointList['joints']): void;
 }
 
 /**
@@ -139,6 +143,8 @@ export interface ConnectionOptions {
   readonly areaOfInterest?: AreaOfInterest | undefined;
   /** Default: the precision of the world. */
   readonly precision?: Precision | undefined;
+  /** Receives the joints of the world; default: false. */
+  readonly joints?: boolean | undefined;
 }
 
 /** A play stream that reconnects. join() starts it, stop() ends it. */
@@ -150,6 +156,8 @@ export class Connection {
   readonly renderClock = new RenderClock();
   readonly inputClock = new InputClock();
   readonly entities = new Map<number, Entity>();
+  /** Joints of the world, if requested. */
+  readonly joints = new JointList();
   welcome: Welcome | undefined; // undefined: before the first connection
   bytesReceived = 0;
   snapshots = 0; // decoded
@@ -191,6 +199,7 @@ export class Connection {
   private readonly channelKinds: readonly string[];
   private readonly areaOfInterest: AreaOfInterest | undefined;
   private readonly precision: Precision | undefined;
+  private readonly wantsJoints: boolean;
 
   constructor(options: ConnectionOptions) {
     this.url = options.url;
@@ -200,6 +209,7 @@ export class Connection {
     this.channelKinds = options.channelKinds ?? [];
     this.areaOfInterest = options.areaOfInterest;
     this.precision = options.precision;
+    this.wantsJoints = options.joints ?? false;
   }
 
   /**
@@ -326,6 +336,7 @@ export class Connection {
       const hello = { protocol: PROTOCOL, world, name: 'browser', events, token, channels, codec: NEWEST_CODEC,
         maxKbps: this.areaOfInterest?.maxKbps ?? 0,
         packedEntities: true,
+        joints: this.wantsJoints,
         ...(this.areaOfInterest ? { interest: this.interest(this.areaOfInterest) } : {}),
         ...(this.precision ? { precision: { farFactor: 1, ...this.precision } } : {}),
         resumable: true,
@@ -441,6 +452,8 @@ export class Connection {
     this.entities.clear();
     this.largeShapes.clear();
     this.controlledEntity.reset();
+    this.joints.clear();
+    if (this.wantsJoints) this.listener.joints?.(this.joints.joints);
   }
 
   private onEntityList(change: EntityUpdate): void {
@@ -483,6 +496,7 @@ export class Connection {
     }
     this.decode(s);
     if (!this.points.apply(s)) this.decodeErrors++;
+    if (s.joints) this.onJoints(s.joints);
     // These are valid even if the poses could not be decoded.
     for (const result of s.clientUpdate?.results ?? [])
       if (this.inputs.onResult(result.sequence) && result.code !== InputCode.APPLIED) this.listener.inputRejected(result);
@@ -490,6 +504,11 @@ export class Connection {
     for (const tick of s.events) this.listener.worldEvents(tick);
     // An ack that waits for the next batch would inflate the measured latency.
     if (this.inputs.length === 0) this.sendAckIfDue();
+  }
+
+  private onJoints(update: JointUpdate): void {
+    if (this.joints.apply(update) !== undefined) this.decodeErrors++;
+    else this.listener.joints?.(this.joints.joints);
   }
 
   private decode(s: Snapshot): void {

@@ -42,6 +42,8 @@ struct ClientOptions {
     /// Channel kinds to subscribe to (WorldView::channels() and points()); "*": all kinds of
     /// modules; "points:*": all kinds with point objects. The server sends no other kinds.
     std::vector<std::string> channels = {};
+    /// Receives the joints of the world: WorldView::joints().
+    bool joints = false;
     /// The highest snapshot codec to request, 1 or 2. Codec 2 needs two thirds of the bytes of
     /// codec 1 and about twice the time to decode.
     std::uint32_t codec = 2;

@@ -13,6 +13,12 @@ if(JOSTLE_CCACHE)
     set(CMAKE_CXX_COMPILER_LAUNCHER ${JOSTLE_CCACHE})
 endif()
 
+# GCC collects garbage whenever its heap has grown by a third; letting it grow to 1.5 GB per source saves a fifth of the
+# compile time.
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU)
+    add_compile_options("SHELL:--param ggc-min-expand=400" "SHELL:--param ggc-min-heapsize=1500000")
+endif()
+
 add_library(jostle_flags INTERFACE)
 
 # Private headers are included by their path from the project folder, public ones as jostle/LIBRARY/NAME.h.

@@ -10,6 +10,7 @@ import collections
 
 from positions import Decoder
 from range_frames import RangeFrames
+from world_data import WorldData
 
 from jostle.v1 import play_pb2
 
@@ -31,6 +32,7 @@ class WorldClient:
         self.events, self.results, self.notices, self.decode_errors = [], {}, [], []
         self.samples, self.offset_us, self.pings, self.next_ping_us = [], 0, 0, 0
         self.need_keyframe, self.unacked, self.last_ack_us, self.decoded_us = False, False, 0, 0
+        self.data = WorldData()  # set hello.players, attributes and topics before the first message
         self.inputs, self.next_sequence, self.next_batch_us = collections.deque(), 1, 0
 
     # Receiving
@@ -67,6 +69,7 @@ class WorldClient:
             self.need_keyframe = True
         self.unacked, self.decoded_us = True, now_us
         self.events.extend(snapshot.events)
+        self.data.apply(snapshot)
         self.results.update((result.sequence, result) for result in snapshot.client_update.results)
 
     def on_pong(self, pong, now_us):

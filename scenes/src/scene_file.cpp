@@ -260,6 +260,8 @@ void write_body(v1::Body& out, const SceneBody& body) {
 Result<SceneDescription> from_message(const v1::Scene& message) {
     Reader reader;
     SceneDescription scene = reader.scene(message);
+    // Servers validate it.
+    if (message.has_room()) scene.room = message.room().SerializeAsString();
     if (reader.errors().empty()) return scene;
     ErrorLines lines;
     for (const FieldError& error : reader.errors()) lines.add(error.path + ": " + error.what);
@@ -359,6 +361,7 @@ v1::Scene to_message(const SceneDescription& scene) {
     for (const SceneBody& body : scene.bodies) write_body(*out.add_bodies(), body);
     for (const SceneJoint& joint : scene.joints) write_joint(*out.add_joints(), scene, joint);
     for (const SceneModule& module : scene.modules) write_module(*out.add_modules(), scene, module);
+    if (!scene.room.empty()) out.mutable_room()->ParseFromString(scene.room);
     return out;
 }
 

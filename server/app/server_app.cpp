@@ -21,12 +21,14 @@
 #include "server/app/start_worlds.h"
 #include "server/grpc/grpc_server.h"
 #include "server/grpc_web/grpc_web_routes.h"
+#include "server/http/admin_api.h"
 #include "server/http/admin_routes.h"
 #include "server/http/http_routes.h"
 #include "server/http/http_server.h"
 #include "server/services/call_method.h"
 #include "server/services/query_control.h"
 #include "server/services/world_control.h"
+#include "server/session/empty_rooms.h"
 #include "server/util/log.h"
 #include "server/world/tick_watchdog.h"
 
@@ -147,7 +149,9 @@ private:
     std::optional<WorldControl> world_control_;
     std::optional<QueryControl> query_control_;
     std::optional<AdminControl> admin_control_;
+    EmptyRooms empty_rooms_;
     std::optional<GrpcWebRoutes> grpc_web_routes_;
+    std::optional<AdminApi> admin_api_;
     std::optional<HttpRoutes> http_routes_;
     std::optional<AdminRoutes> admin_routes_;
     std::optional<GrpcServer> grpc_;
@@ -241,13 +245,15 @@ void ServerApp::Impl::create_services() {
     query_control_.emplace(*context_);
     admin_control_.emplace(*context_);
     grpc_web_routes_.emplace(player_methods(), *authorizer_, &rpc_metrics_);
+    admin_api_.emplace(*authorizer_, admin_methods(*admin_control_, *worlds_));
     http_routes_.emplace(*world_control_, *query_control_,
                          RouteSettings{.web_root = find_web_root(config_.web_root),
                                        .allowed_origins = config_.allowed_origins,
                                        .allowed_hosts = config_.allowed_hosts,
                                        .not_ready_reason = not_ready,
                                        .failure_reason = failure,
-                                       .grpc_web = &*grpc_web_routes_});
+                                       .grpc_web = &*grpc_web_routes_,
+                                       .admin_api = &*admin_api_});
     admin_routes_.emplace(*admin_control_, metrics_,
                           AdminRouteSettings{.allowed_hosts = config_.allowed_hosts,
                                              .not_ready_reason = not_ready,
@@ -313,6 +319,8 @@ void ServerApp::Impl::run() {
         [this] {
             remove_expired_clients(*context_, Clock::now());
             admin_control_->remove_idle_downloads(Clock::now());
+            context_->worlds.reset_requested();
+            empty_rooms_.close(*context_, Clock::now());
             static_cast<void>(failure_reason());  // also faults that nobody asks for begin to last
         },
         [this] { return !failure_reason(); });

@@ -3,9 +3,12 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <optional>
 #include <utility>
 
 #include "jostle/scenes/scene_file.h"
+#include "jostle/v1/room.pb.h"
+#include "server/messages/room_message.h"
 #include "server/util/log.h"
 
 namespace jostle::server {
@@ -39,7 +42,16 @@ Status create_configured_worlds(const Config& config, WorldDirectory& worlds,
         const auto scene = scenes::load_scene(named ? entry.substr(equals + 1) : entry);
         if (!scene.ok()) return failed(scene.error());
         if (!named && (worlds.find(scene->name) || is_blocked(scene->name))) continue;
-        const auto world = worlds.create(named ? entry.substr(0, equals) : "", *scene);
+        std::optional<RoomProperties> room;
+        if (!scene->room.empty()) {
+            const Result<v1::RoomSettings> settings = settings_from_scene(scene->room);
+            if (!settings.ok()) return failed(settings.error());
+            Result<RoomProperties> read = room_from_message(*settings);
+            if (!read.ok()) return failed(read.error());
+            room = *std::move(read);
+        }
+        const auto world =
+            worlds.create(named ? entry.substr(0, equals) : "", *scene, {}, std::move(room));
         if (!world.ok()) return failed(world.error());
     }
     return {};

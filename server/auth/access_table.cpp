@@ -20,12 +20,15 @@ constexpr AccessRow table[] = {
     {"jostle.v1.WorldService/CreateWorld", create, Role::director, server},
     {"jostle.v1.WorldService/DeleteWorld", remove, Role::director, own_world},
     {"jostle.v1.WorldService/JoinWorld", join, Role::viewer, any_world},
+    // A caller who joins by it may join; creating a world is admitted as CreateWorld.
+    {"jostle.v1.WorldService/JoinOrCreateWorld", join, Role::viewer, token_worlds},
     {"jostle.v1.PlayService/Play", play, Role::viewer, any_world},
     {"jostle.v1.QueryService/CastRays", query, Role::viewer, any_world},
     {"jostle.v1.QueryService/CastShapes", query, Role::viewer, any_world},
     {"jostle.v1.QueryService/Overlap", query, Role::viewer, any_world},
     {"jostle.v1.QueryService/ClosestPoints", query, Role::viewer, any_world},
     {"jostle.v1.QueryService/Debug", query, Role::viewer, any_world},
+    {"jostle.v1.AdminService/GetServerStatus", admin_read, Role::admin, token_worlds},
     {"jostle.v1.AdminService/ListClients", admin, Role::admin, token_worlds},
     {"jostle.v1.AdminService/Kick", admin, Role::admin, token_worlds},
     {"jostle.v1.AdminService/Backup", admin, Role::admin, server},
@@ -37,8 +40,15 @@ constexpr AccessRow table[] = {
     {"jostle.v1.AdminService/ExportWorld", admin, Role::admin, any_world},
     {"jostle.v1.AdminService/DownloadWorld", admin, Role::admin, any_world},
     {"jostle.v1.AdminService/RemoveBodies", admin, Role::admin, any_world},
+    {"jostle.v1.AdminService/GetRoom", admin_read, Role::admin, any_world},
+    {"jostle.v1.AdminService/ModerateRoom", admin, Role::admin, any_world},
     {"jostle.v1.AdminService/RewindWorld", admin, Role::admin, any_world},
     {"jostle.v1.AdminService/UndoClient", admin, Role::admin, any_world},
+    {"jostle.v1.AdminService/ListPlayers", admin, Role::admin, any_world},
+    {"jostle.v1.AdminService/SetPlayerRole", admin, Role::admin, any_world},
+    {"jostle.v1.AdminService/GetAttributes", admin, Role::admin, any_world},
+    {"jostle.v1.AdminService/SetAttributes", admin, Role::admin, any_world},
+    {"jostle.v1.AdminService/SendMessage", admin, Role::admin, any_world},
     {"jostle.v1.AdminService/Drain", admin, Role::admin, server},
     {"jostle.v1.AdminService/Profile", admin, Role::admin, any_world},
     {"grpc.health.v1.Health/Check", open, Role::none, none},
@@ -52,9 +62,13 @@ constexpr AccessRow table[] = {
     {"GET /api/worlds/{id}", read, Role::viewer, any_world},
     {"POST /api/worlds", create, Role::director, server},
     {"DELETE /api/worlds/{id}", remove, Role::director, own_world},
+    {"POST /api/worlds/{id}/join", join, Role::viewer, any_world},
+    {"POST /api/join-or-create", join, Role::viewer, token_worlds},
     // GET: whether the caller may resume the world.
     {"GET /api/worlds/{id}/resume", admin, Role::director, own_world},
     {"POST /api/worlds/{id}/resume", admin, Role::director, own_world},
+    // Admitted once more as the method of AdminService.
+    {"POST /api/admin/{method}", admin, Role::admin, any_world},
     {"POST /api/query/{method}", query, Role::viewer, any_world},
     {"GET /play", play, Role::viewer, any_world},
     {"GET /healthz", open, Role::none, none},
@@ -99,8 +113,9 @@ bool may_be_file(std::string_view path) {
 }  // namespace
 
 std::string_view name_of(CallKind kind) {
-    static constexpr std::array<std::string_view, 9> names = {
-        "open", "read", "query", "join", "play", "inputs", "create", "delete", "admin"};
+    static constexpr std::array<std::string_view, 10> names = {
+        "open",   "read",   "query",  "join",  "play",
+        "inputs", "create", "delete", "admin", "admin_read"};
     ASSERT(static_cast<std::size_t>(kind) < names.size());
     return names[static_cast<std::size_t>(kind)];
 }

@@ -14,8 +14,8 @@
 namespace jostle::server {
 
 // The kind of a call selects its quota, and whether the audit log records granted calls. Refusals
-// are always recorded.
-enum class CallKind { open, read, query, join, play, inputs, create, remove, admin };
+// are always recorded. admin_read: calls that monitors repeat every second.
+enum class CallKind { open, read, query, join, play, inputs, create, remove, admin, admin_read };
 
 std::string_view name_of(CallKind kind);
 

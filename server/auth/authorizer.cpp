@@ -299,7 +299,9 @@ Status Authorizer::check_ban(const Identity& who, const AccessRow* row, std::str
     if (row && row->kind == CallKind::open) return {};
     const std::optional<Ban> ban = bans_->find(quota_subject_of(who), address, now);
     if (!ban) return {};
-    const bool is_operator = row && row->kind == CallKind::admin && who.role == Role::admin;
+    const bool is_operator = row &&
+                             (row->kind == CallKind::admin || row->kind == CallKind::admin_read) &&
+                             who.role == Role::admin;
     if (is_operator && ban->target.network) return {};
     return denied(refusal_text(*ban));
 }

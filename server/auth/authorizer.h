@@ -43,7 +43,7 @@ struct PeerCredentials {
 // The world that a call refers to; fields are empty if there is none or it is unknown.
 struct WorldTarget {
     std::string_view id, name;
-    std::string_view owner;  // subject of the creator; empty: the server itself
+    std::string owner = {};  // subject of the creator; empty: the server itself
 };
 
 struct AccessRequest {

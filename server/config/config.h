@@ -20,6 +20,10 @@ struct ClientLimits {
     double inputs_per_second = 300;
     int message_bytes_max = 65536;
     int inputs_per_batch_max = 64;
+    double user_messages_per_second = 5;
+    int user_message_bytes_max = 1024;
+    double attribute_changes_per_second = 100;
+    int attribute_bytes_max = 32768;  // of all attributes that one client set in a world
     int bodies_owned_max = 50;
     int account_bodies_max = 500;  // of all clients of a subject or network; 0: unlimited
     // false: bodies spawned by a client are removed when it leaves
@@ -49,6 +53,10 @@ struct WorldLimits {
     int clients_per_address_max = 250;  // per IPv4 address or IPv6 /64
     double spawn_load_max = 0.7;   // busy share of the tick period up to which clients may spawn
     int command_queue_max = 8192;  // commands waiting for a tick; if full, the input is refused
+    int attributes_per_target_max = 32;  // of a world, a player or an entity
+    int attribute_text_bytes_max = 256;
+    int attribute_bytes_max = 1 << 20;              // of all attributes of a world
+    double user_message_bytes_per_second = 262144;  // of all clients of a world; 0: unlimited
 };
 
 // Limits on the cost of a hosted scene (server/world/scene_budget.h defines each).

@@ -4,7 +4,7 @@
 #include <google/protobuf/util/json_util.h>
 
 #include <algorithm>
-#include <nlohmann/json.hpp>
+#include <charconv>
 #include <string_view>
 
 #include "jostle/base/check.h"
@@ -12,6 +12,7 @@
 #include "jostle/v1/query.pb.h"
 #include "jostle/v1/world.pb.h"
 #include "server/auth/allowed_hosts.h"
+#include "server/http/percent_decode.h"
 #include "server/limits/account.h"
 #include "server/session/peer.h"
 
@@ -20,45 +21,9 @@ namespace jostle::server {
 namespace {
 
 constexpr std::string_view worlds_path = "/api/worlds";
-constexpr std::string_view query_path = "/api/query/";
-constexpr std::string_view resume_suffix = "/resume";
-
-// Maps errors to HTTP status codes, with the names of the corresponding gRPC codes.
-struct HttpCode {
-    ErrorCode error_code;
-    int status;
-    std::string_view name;
-};
-
-constexpr HttpCode http_codes[] = {
-    {ErrorCode::invalid_argument, 400, "INVALID_ARGUMENT"},
-    {ErrorCode::corrupt_data, 400, "INVALID_ARGUMENT"},
-    {ErrorCode::not_found, 404, "NOT_FOUND"},
-    {ErrorCode::failed_precondition, 409, "FAILED_PRECONDITION"},
-    {ErrorCode::already_exists, 409, "ALREADY_EXISTS"},
-    {ErrorCode::permission_denied, 403, "PERMISSION_DENIED"},
-    {ErrorCode::unauthenticated, 401, "UNAUTHENTICATED"},
-    {ErrorCode::resource_exhausted, 429, "RESOURCE_EXHAUSTED"},
-    {ErrorCode::deadline_exceeded, 504, "DEADLINE_EXCEEDED"},
-    {ErrorCode::aborted, 409, "ABORTED"},
-    {ErrorCode::unavailable, 503, "UNAVAILABLE"},
-    {ErrorCode::internal, 500, "INTERNAL"},
-};
-
-constexpr HttpCode http_code_of(ErrorCode error) {
-    for (const HttpCode& code : http_codes)
-        if (code.error_code == error) return code;
-    return {ErrorCode::internal, 500, "INTERNAL"};
-}
-
-HttpResponse json(int status, std::string body) {
-    HttpResponse response;
-    response.status = status;
-    response.content_type = "application/json";
-    response.headers.emplace_back("Cache-Control", "no-store");
-    response.body = std::move(body);
-    return response;
-}
+constexpr std::string_view query_path = "/api/query/", admin_path = "/api/admin/";
+constexpr std::string_view resume_suffix = "/resume", join_suffix = "/join";
+constexpr std::string_view join_or_create_path = "/api/join-or-create";
 
 HttpResponse json(int status, const google::protobuf::Message& message) {
     google::protobuf::util::JsonPrintOptions options;
@@ -69,7 +34,7 @@ HttpResponse json(int status, const google::protobuf::Message& message) {
     if (!written.ok()) {
         return to_http(Error{ErrorCode::internal, "cannot encode the response as JSON"});
     }
-    return json(status, std::move(body));
+    return json_response(status, std::move(body));
 }
 
 HttpResponse method_not_allowed(std::string allowed) {
@@ -104,6 +69,40 @@ std::optional<HttpResponse> read_json(google::protobuf::Message& message,
                              " as JSON: " + std::string(read.message())});
 }
 
+// The filter in the query of GET /api/worlds: tags=a,b&text=T&not_full=1&public=1&scene=S&owner=O
+// &limit=N.
+Status read_filter(std::string_view target, v1::ListWorldsRequest& message) {
+    v1::WorldFilter& filter = *message.mutable_filter();
+    const auto flag = [&](std::string_view name) -> Result<bool> {
+        const auto value = query_field(target, name);
+        if (!value || *value == "0") return false;
+        if (*value == "1") return true;
+        return invalid_argument(std::string(name) + " must be 0 or 1");
+    };
+    std::string tags = query_field(target, "tags").value_or("");
+    for (std::size_t end = 0; !tags.empty(); tags.erase(0, end)) {
+        end = std::min(tags.find(','), tags.size());
+        filter.add_tags(tags.substr(0, end));
+        end = std::min(end + 1, tags.size());
+    }
+    filter.set_text(query_field(target, "text").value_or(""));
+    filter.set_scene(query_field(target, "scene").value_or(""));
+    filter.set_owner(query_field(target, "owner").value_or(""));
+    const Result<bool> not_full = flag("not_full"), is_public = flag("public");
+    if (!not_full.ok()) return not_full.error();
+    if (!is_public.ok()) return is_public.error();
+    filter.set_not_full(*not_full);
+    filter.set_is_public(*is_public);
+    const auto limit = query_field(target, "limit");
+    if (!limit) return {};
+    std::uint32_t number = 0;
+    const auto [end, error] = std::from_chars(limit->data(), limit->data() + limit->size(), number);
+    if (error != std::errc{} || end != limit->data() + limit->size())
+        return invalid_argument("limit must be a number");
+    message.set_limit(number);
+    return {};
+}
+
 // Decodes a query, authorizes it, evaluates it and encodes the response.
 template <class Request, class Response>
 HttpResponse evaluate(const HttpRequest& request, const QueryControl& queries,
@@ -119,20 +118,6 @@ HttpResponse evaluate(const HttpRequest& request, const QueryControl& queries,
 }
 
 }  // namespace
-
-HttpResponse to_http(const Error& error) {
-    const HttpCode code = http_code_of(error.code);
-    nlohmann::json body = {{"code", code.name}, {"message", error.message}};
-    if (error.retry_after_ms > 0) body["retryAfterMs"] = error.retry_after_ms;
-    HttpResponse response = json(
-        code.status, body.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) + "\n");
-    // Whole seconds, rounded up.
-    const int seconds = error.retry_after_ms > 0 ? (error.retry_after_ms + 999) / 1000 : 5;
-    if (code.status == 503 || code.status == 429)
-        response.headers.emplace_back("Retry-After", std::to_string(seconds));
-    if (code.status == 401) response.headers.emplace_back("WWW-Authenticate", "Bearer");
-    return response;
-}
 
 HttpRoutes::HttpRoutes(WorldControl& worlds, const QueryControl& queries, RouteSettings settings)
     : worlds_(worlds),
@@ -151,7 +136,7 @@ HttpWork HttpRoutes::work_of(const HttpRequest& request) const {
     const std::string_view path = path_of(request.target);
     if (request.method == "OPTIONS") return HttpWork::immediate;
     if (is_grpc_web(request)) return settings_.grpc_web->work_of(request);
-    if (path.starts_with(query_path)) return HttpWork::query;
+    if (path.starts_with(query_path) || path.starts_with(admin_path)) return HttpWork::query;
     const bool reads = request.method == "GET" || request.method == "HEAD";
     return reads || !path.starts_with("/api/") ? HttpWork::immediate : HttpWork::mutation;
 }
@@ -163,7 +148,8 @@ bool HttpRoutes::accepts_players(const HttpRequest& request) const {
 bool HttpRoutes::accepts_large_body(const HttpRequest& request) const {
     const std::string_view path = path_of(request.target);
     if (is_grpc_web(request)) return settings_.grpc_web->accepts_large_body(request);
-    return request.method == "POST" && (path == worlds_path || path.starts_with(query_path));
+    return request.method == "POST" &&
+           (path == worlds_path || path == join_or_create_path || path.starts_with(query_path));
 }
 
 // The scheme of this server is unknown behind a proxy with TLS; a Host without a port is taken to
@@ -241,8 +227,8 @@ Result<HttpRoutes::RequestContext> HttpRoutes::authorize(const HttpRequest& requ
     const AccessRow* row = find_route(request.method, path);
     if (row == nullptr)
         return Error{ErrorCode::not_found,
-                     "there is no such path; use /api/worlds, /api/worlds/{id} or "
-                     "/api/query/{method}"};
+                     "there is no such path; use /api/worlds, /api/worlds/{id}, "
+                     "/api/join-or-create or /api/query/{method}"};
     const Result<std::string_view> bearer = parse_bearer(request.authorization);
     if (!bearer.ok()) return bearer.error();
     Result<Identity> who = worlds_.authorizer().identify(
@@ -268,7 +254,7 @@ HttpResponse HttpRoutes::handle_api(const HttpRequest& request, std::string_view
     const bool changes = request.method != "GET" && request.method != "HEAD";
     if (changes && !origin_is_allowed(request.origin, request.host))
         return plain_text(403, std::string(cross_origin_refused) + "\n");
-    const bool is_query = path.starts_with(query_path);
+    const bool is_query = path.starts_with(query_path), is_admin = path.starts_with(admin_path);
     const bool is_list = path == worlds_path;
     std::string world;
     if (path.starts_with("/api/worlds/")) {
@@ -277,25 +263,61 @@ HttpResponse HttpRoutes::handle_api(const HttpRequest& request, std::string_view
         world = relative->substr(worlds_path.size());  // without the first '/'
     }
     const bool is_resume = world.size() > resume_suffix.size() && world.ends_with(resume_suffix);
+    const bool is_join = world.size() > join_suffix.size() && world.ends_with(join_suffix);
     if (is_resume) world.resize(world.size() - resume_suffix.size());
+    if (is_join) world.resize(world.size() - join_suffix.size());
     const bool is_world = !world.empty() && world.find('/') == std::string::npos;
     if (is_list && changes && request.method != "POST") return method_not_allowed("GET, POST");
-    if (is_world && changes && request.method != (is_resume ? "POST" : "DELETE"))
+    if ((is_join || path == join_or_create_path) && request.method != "POST")
+        return method_not_allowed("POST");
+    if (is_world && changes && request.method != (is_resume || is_join ? "POST" : "DELETE"))
         return method_not_allowed(is_resume ? "GET, POST" : "GET, DELETE");
-    if (is_query && request.method != "POST") return method_not_allowed("POST");
+    if ((is_query || is_admin) && request.method != "POST") return method_not_allowed("POST");
     const Result<RequestContext> context = authorize(request, path);
     if (!context.ok()) return to_http(context.error());
-    if (is_list) return changes ? create_world(request, *context) : list_worlds(*context);
+    if (is_list) return changes ? create_world(request, *context) : list_worlds(request, *context);
+    if (path == join_or_create_path) return join_or_create(request, *context);
     if (is_query) return query(request, path.substr(query_path.size()), *context);
+    if (is_admin) {
+        if (!settings_.admin_api)
+            return to_http(Error{ErrorCode::not_found, "the server has no /api/admin"});
+        if (const auto refused = wrong_content_type(request)) return *refused;
+        return settings_.admin_api->call(request, path.substr(admin_path.size()), context->who);
+    }
     if (Status s = authorize_world(*context, world); !s.ok()) return to_http(s.error());
     if (is_resume && changes) return resume_world(world, *context);
+    if (is_join) return join_world(request, world, *context);
     return changes ? delete_world(world, *context) : get_world(world);
 }
 
-HttpResponse HttpRoutes::list_worlds(const RequestContext& context) const {
+HttpResponse HttpRoutes::list_worlds(const HttpRequest& request,
+                                     const RequestContext& context) const {
+    v1::ListWorldsRequest message;
+    if (Status s = read_filter(request.target, message); !s.ok()) return to_http(s.error());
     v1::ListWorldsResponse response;
-    const Status status = worlds_.list({}, response, context.who);
+    const Status status = worlds_.list(message, response, context.who);
     return status.ok() ? json(200, response) : to_http(status.error());
+}
+
+HttpResponse HttpRoutes::join_world(const HttpRequest& request, const std::string& world,
+                                    const RequestContext& context) const {
+    v1::JoinWorldRequest message;
+    if (const auto refused = read_json(message, request)) return *refused;
+    message.set_world(world);
+    v1::JoinWorldResponse response;
+    const Status status = worlds_.join(message, response, context.who, context.address);
+    return status.ok() ? json(200, response) : to_http(status.error());
+}
+
+HttpResponse HttpRoutes::join_or_create(const HttpRequest& request,
+                                        const RequestContext& context) const {
+    v1::JoinOrCreateWorldRequest message;
+    if (const auto refused = wrong_content_type(request)) return *refused;
+    if (Status s = scenes::read_json_message(request.body, message); !s.ok())
+        return to_http(s.error());
+    v1::JoinOrCreateWorldResponse response;
+    const Status status = worlds_.join_or_create(message, response, context.who, context.address);
+    return status.ok() ? json(response.created() ? 201 : 200, response) : to_http(status.error());
 }
 
 HttpResponse HttpRoutes::get_world(const std::string& world) const {

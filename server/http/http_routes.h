@@ -13,6 +13,8 @@
 
 #include "jostle/base/result.h"
 #include "server/config/origin.h"
+#include "server/http/admin_api.h"
+#include "server/http/http_error.h"
 #include "server/http/http_message.h"
 #include "server/http/web_files.h"
 #include "server/services/query_control.h"
@@ -30,6 +32,7 @@ struct RouteSettings {
     // The fault of the server; empty: healthy.
     std::function<std::optional<std::string>()> failure_reason;
     const HttpHandler* grpc_web = nullptr;  // null: no gRPC-Web; outlives the routes
+    const AdminApi* admin_api = nullptr;    // null: no /api/admin; outlives the routes
 };
 
 class HttpRoutes final : public HttpHandler {
@@ -64,7 +67,10 @@ private:
     HttpResponse handle_api(const HttpRequest& request, std::string_view path) const;
     Result<RequestContext> authorize(const HttpRequest& request, std::string_view path) const;
     Status authorize_world(const RequestContext& context, const std::string& world) const;
-    HttpResponse list_worlds(const RequestContext& context) const;
+    HttpResponse list_worlds(const HttpRequest& request, const RequestContext& context) const;
+    HttpResponse join_world(const HttpRequest& request, const std::string& world,
+                            const RequestContext& context) const;
+    HttpResponse join_or_create(const HttpRequest& request, const RequestContext& context) const;
     HttpResponse get_world(const std::string& world) const;
     HttpResponse create_world(const HttpRequest& request, const RequestContext& context) const;
     HttpResponse resume_world(const std::string& world, const RequestContext& context) const;
@@ -78,8 +84,5 @@ private:
     std::vector<Origin> allowed_origins_;
     WebFiles files_;
 };
-
-// {"code": "NOT_FOUND", "message": "..."} with the corresponding HTTP status.
-HttpResponse to_http(const Error& error);
 
 }  // namespace jostle::server

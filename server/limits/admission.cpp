@@ -3,10 +3,12 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <cmath>
 
 #include "jostle/base/check.h"
 #include "jostle/physics/hull.h"
+#include "server/world/players.h"
 
 namespace jostle::server {
 
@@ -102,6 +104,38 @@ struct Check {
     }
     Status operator()(const LeaveCommand&) const { return {}; }
     Status operator()(const DisconnectCommand&) const { return {}; }
+    Status operator()(const JoinCommand&) const { return {}; }
+    Status operator()(const SetRoleCommand&) const { return {}; }
+    Status operator()(const RenameCommand& c) const {
+        return check_player_name(c.name, "rename.name");
+    }
+    Status operator()(const SetAttributesCommand& c) const {
+        if (c.changes.empty() || c.changes.size() > attributes_per_input_max)
+            return invalid_argument(
+                fmt::format("set_attributes.set.attributes has {} entries; 1 to {} are allowed",
+                            c.changes.size(), attributes_per_input_max));
+        for (std::size_t k = 0; k < c.changes.size(); k++)
+            if (Status s = check_attribute_change(
+                    c.changes[k], fmt::format("set_attributes.set.attributes[{}].", k));
+                !s.ok())
+                return s;
+        return {};
+    }
+    Status operator()(const SendMessageCommand& c) const {
+        if (!is_key(c.topic))
+            return invalid_argument(
+                "send_message.topic is invalid; it must be 1 to 32 of the characters a-z, 0-9, "
+                "'_' and '.'");
+        if (c.to.size() > message_recipients_max)
+            return invalid_argument(
+                fmt::format("send_message.to has {} entries; at most {} are allowed", c.to.size(),
+                            message_recipients_max));
+        if (c.to_server && !c.to.empty())
+            return invalid_argument(
+                "send_message.to and send_message.to_server are both set; set one of them");
+        return {};
+    }
+    Status operator()(const RoomCommand& c) const { return check_room_command(c); }
 
 private:
     static Status check_shape(const physics::Geometry& geometry) {
@@ -176,7 +210,13 @@ Admission::Admission(const ClientLimits& limits, bool spectator, Clock::time_poi
       spectator_(spectator),
       messages_(limits.messages_per_second, now),
       bytes_(limits.bytes_per_second, now),
-      inputs_(limits.inputs_per_second, now) {}
+      inputs_(limits.inputs_per_second, now),
+      user_messages_(limits.user_messages_per_second,
+                     std::max(1.0, 2 * limits.user_messages_per_second), now),
+      attribute_changes_(limits.attribute_changes_per_second,
+                         std::max(static_cast<double>(attributes_per_input_max),
+                                  limits.attribute_changes_per_second),
+                         now) {}
 
 bool Admission::admit_message(std::size_t bytes, Clock::time_point now) {
     // Both buckets are always charged, so that an oversized message also counts as a message.
@@ -185,12 +225,44 @@ bool Admission::admit_message(std::size_t bytes, Clock::time_point now) {
 }
 
 Status Admission::admit_input(const Action& action, Clock::time_point now) {
-    if (spectator_) return Error{ErrorCode::permission_denied, "spectators cannot send inputs"};
+    // The world checks whose attributes a spectator sets.
+    if (spectator_ && !is_data_command(action))
+        return Error{ErrorCode::permission_denied,
+                     "spectators cannot send inputs, except to rename themselves, to send messages "
+                     "and to set their own attributes"};
     if (!inputs_.take(1, now))
         return Error{ErrorCode::resource_exhausted,
                      fmt::format("more than {:g} inputs per second", limits_.inputs_per_second),
                      static_cast<int>(std::ceil(to_ms(inputs_.wait_for(1, now))))};
-    return check_numbers(action);
+    if (Status s = check_numbers(action); !s.ok()) return s;
+    if (const auto* message = std::get_if<SendMessageCommand>(&action))
+        return admit_user_message(*message, now);
+    if (const auto* attributes = std::get_if<SetAttributesCommand>(&action))
+        return admit_attributes(*attributes, now);
+    return {};
+}
+
+Status Admission::admit_user_message(const SendMessageCommand& message, Clock::time_point now) {
+    if (message.data.size() > static_cast<std::size_t>(limits_.user_message_bytes_max))
+        return invalid_argument(
+            fmt::format("send_message.data has {} bytes; client.user_message_bytes_max allows {}",
+                        message.data.size(), limits_.user_message_bytes_max));
+    if (user_messages_.take(1, now)) return {};
+    return Error{ErrorCode::resource_exhausted,
+                 fmt::format("more than {:g} messages per second "
+                             "(client.user_messages_per_second)",
+                             limits_.user_messages_per_second),
+                 static_cast<int>(std::ceil(to_ms(user_messages_.wait_for(1, now))))};
+}
+
+Status Admission::admit_attributes(const SetAttributesCommand& command, Clock::time_point now) {
+    const auto changes = static_cast<double>(command.changes.size());
+    if (attribute_changes_.take(changes, now)) return {};
+    return Error{ErrorCode::resource_exhausted,
+                 fmt::format("more than {:g} attribute changes per second "
+                             "(client.attribute_changes_per_second)",
+                             limits_.attribute_changes_per_second),
+                 static_cast<int>(std::ceil(to_ms(attribute_changes_.wait_for(changes, now))))};
 }
 
 }  // namespace jostle::server

@@ -13,6 +13,7 @@
 namespace jostle::server {
 
 inline constexpr int spawned_hull_points_max = 32;
+inline constexpr std::size_t message_recipients_max = 16;
 inline constexpr char spawned_shapes_allowed[] =
     "allowed are sphere, capsule, box, cylinder, cone, and hull of at most 32 points, with sizes "
     "from 0.05 to 2 m";
@@ -31,9 +32,12 @@ public:
     Status admit_input(const Action& action, Clock::time_point now);
 
 private:
+    Status admit_user_message(const SendMessageCommand& message, Clock::time_point now);
+    Status admit_attributes(const SetAttributesCommand& command, Clock::time_point now);
+
     ClientLimits limits_;
     bool spectator_;
-    TokenBucket messages_, bytes_, inputs_;
+    TokenBucket messages_, bytes_, inputs_, user_messages_, attribute_changes_;
 };
 
 }  // namespace jostle::server

@@ -87,6 +87,16 @@ std::vector<ClientStatus> ConnectedClients::status(Clock::time_point now) const 
     return statuses;
 }
 
+std::vector<std::pair<ClientId, double>> ConnectedClients::round_trips(
+    const std::string& world_id) const {
+    const std::lock_guard lock(mutex_);
+    std::vector<std::pair<ClientId, double>> round_trips;
+    for (const auto& [client, entry] : clients_)
+        if (entry->who().world_id == world_id)
+            round_trips.emplace_back(client, entry->round_trip_s());
+    return round_trips;
+}
+
 Status ConnectedClients::kick(ClientId client, std::string reason, const Identity& by) {
     const std::lock_guard lock(mutex_);
     const auto at = clients_.find(client);

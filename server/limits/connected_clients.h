@@ -12,6 +12,7 @@
 #include <mutex>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "jostle/base/result.h"
@@ -54,6 +55,7 @@ public:
     // Any thread.
     const ClientIdentity& who() const { return who_; }
     ClientStatus status(Clock::time_point now) const;
+    double round_trip_s() const { return round_trip_s_.load(std::memory_order_relaxed); }
     void kick(std::string reason);
 
 private:
@@ -76,6 +78,9 @@ public:
     void remove(ClientId client);
 
     std::vector<ClientStatus> status(Clock::time_point now) const;  // in ascending order of id
+    // The clients of a world with their round-trip times in s (0: unknown), in ascending order of
+    // id.
+    std::vector<std::pair<ClientId, double>> round_trips(const std::string& world_id) const;
     // Notifies the client and ends its stream shortly after. not_found: no client has this id.
     // permission_denied: the token of `by` is limited to certain worlds, and the client is in none
     // of them; whether a client has this id is not revealed.

@@ -52,8 +52,12 @@ void SessionDirectory::set_subject(ClientId client, const std::string& subject) 
 }
 
 Result<ClientId> SessionDirectory::enter(const std::string& world_id, const std::string& network,
-                                         const std::string& subject) {
+                                         const std::string& subject, std::uint32_t world_max) {
     const std::lock_guard lock(mutex_);
+    const auto here = of_world_.find(world_id);
+    if (world_max > 0 && here != of_world_.end() && here->second >= static_cast<int>(world_max))
+        return Error{ErrorCode::resource_exhausted,
+                     "the room is full: " + std::to_string(world_max) + " clients"};
     if (static_cast<int>(sessions_.size()) >= clients_max_)
         return Error{ErrorCode::resource_exhausted,
                      "the server is full: " + std::to_string(clients_max_) + " clients"};

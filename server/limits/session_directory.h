@@ -32,8 +32,9 @@ public:
     // Assigns a new client id. Fails if the server is full, or if the network (util/address.h) or
     // the subject has its maximum of clients. `subject`: empty for anonymous clients, which have
     // none.
+    // `world_max`: of the clients of the world; 0: no limit.
     Result<ClientId> enter(const std::string& world_id, const std::string& network,
-                           const std::string& subject = {});
+                           const std::string& subject = {}, std::uint32_t world_max = 0);
     // Whether enter() fails because of the subject.
     bool is_at_limit(const std::string& subject) const;
     // The subject of a restored client is known only when it resumes.

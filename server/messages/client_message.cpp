@@ -11,7 +11,9 @@
 #include "jostle/scenes/shape_message.h"
 #include "jostle/v1/play.pb.h"
 #include "server/limits/admission.h"
+#include "server/messages/attribute_message.h"
 #include "server/messages/message_parts.h"
+#include "server/messages/room_message.h"
 
 namespace jostle::server {
 
@@ -103,6 +105,19 @@ Result<Action> action_of(const v1::ControlInput& control) {
     return Action{command};
 }
 
+Result<Action> action_of(const v1::SetAttributesInput& input) {
+    Result<SetAttributesCommand> command = to_attribute_changes(input.set(), "set_attributes.set.");
+    if (!command.ok()) return command.error();
+    return Action{*std::move(command)};
+}
+
+Action action_of(const v1::SendMessageInput& input) {
+    return SendMessageCommand{.topic = input.topic(),
+                              .data = input.data(),
+                              .to = {input.to().begin(), input.to().end()},
+                              .to_server = input.to_server()};
+}
+
 Result<Action> action_of(const v1::Input& input) {
     switch (input.kind_case()) {
         case v1::Input::kSpawn:
@@ -131,6 +146,17 @@ Result<Action> action_of(const v1::Input& input) {
             return Action{PossessCommand{input.possess().entity()}};
         case v1::Input::kControl:
             return action_of(input.control());
+        case v1::Input::kSetAttributes:
+            return action_of(input.set_attributes());
+        case v1::Input::kSendMessage:
+            return action_of(input.send_message());
+        case v1::Input::kRename:
+            return Action{RenameCommand{input.rename().name()}};
+        case v1::Input::kRoom: {
+            Result<RoomCommand> command = room_command_from_message(input.room());
+            if (!command.ok()) return command.error();
+            return Action{*std::move(command)};
+        }
         case v1::Input::KIND_NOT_SET:
             break;
     }
@@ -153,6 +179,19 @@ Result<Interest> decode(const v1::Interest& interest) {
     Interest decoded{.x_m = focus.x, .z_m = focus.z};
     if (interest.radius() != 0) decoded.radius_m = interest.radius();
     return decoded;
+}
+
+Status check_topics(const v1::Hello& hello) {
+    if (hello.topics_size() > hello_topics_max)
+        return invalid_argument(fmt::format("hello.topics has {} entries; at most {} are allowed",
+                                            hello.topics_size(), hello_topics_max));
+    for (int k = 0; k < hello.topics_size(); k++)
+        if (hello.topics(k) != "*" && !is_key(hello.topics(k)))
+            return invalid_argument(
+                fmt::format("hello.topics[{}] is invalid; it must be \"*\" or 1 to 32 of the "
+                            "characters a-z, 0-9, '_' and '.'",
+                            k));
+    return {};
 }
 
 Result<ClientMessage> decode(const v1::Hello& hello) {
@@ -180,13 +219,21 @@ Result<ClientMessage> decode(const v1::Hello& hello) {
         return invalid_argument(fmt::format("hello.channels has {} entries; at most {} are allowed",
                                             hello.channels_size(), hello_channels_max));
     }
+    if (hello.join_code().size() > join_code_bytes_max) {
+        return invalid_argument(fmt::format("hello.join_code has {} bytes; at most {} are allowed",
+                                            hello.join_code().size(), join_code_bytes_max));
+    }
     if (hello.resume().token().size() > resume_token_bytes_max) {
         return invalid_argument(
             fmt::format("hello.resume.token has {} bytes; at most {} are allowed",
                         hello.resume().token().size(), resume_token_bytes_max));
     }
     std::optional<Hello::Resume> resume;
-    if (hello.has_resume()) resume = {hello.resume().token(), hello.resume().frame()};
+    if (hello.has_resume())
+        resume = {hello.resume().token(), hello.resume().frame(), hello.resume().message()};
+    if (Status s = check_topics(hello); !s.ok()) return s.error();
+    std::optional<std::uint32_t> color;
+    if (hello.has_color()) color = hello.color() & 0xffffff;
     return ClientMessage{Hello{.protocol = hello.protocol(),
                                .world = hello.world(),
                                .ticket = hello.ticket(),
@@ -204,7 +251,12 @@ Result<ClientMessage> decode(const v1::Hello& hello) {
                                .datagrams = hello.datagrams(),
                                .resumable = hello.resumable(),
                                .resume = std::move(resume),
-                               .joints = hello.joints()}};
+                               .joints = hello.joints(),
+                               .players = hello.players(),
+                               .attributes = hello.attributes(),
+                               .topics = {hello.topics().begin(), hello.topics().end()},
+                               .color = color,
+                               .join_code = hello.join_code()}};
 }
 
 Result<ClientMessage> decode(const v1::InputBatch& batch) {

@@ -20,7 +20,8 @@ namespace jostle::server {
 
 inline constexpr std::uint32_t protocol_version = 1;
 inline constexpr std::size_t client_name_bytes_max = 32;
-inline constexpr int hello_channels_max = 64;
+inline constexpr int hello_channels_max = 64, hello_topics_max = 64;
+inline constexpr std::size_t join_code_bytes_max = RoomProperties::join_code_bytes_max;
 inline constexpr std::size_t resume_token_bytes_max = 256;
 inline constexpr std::uint32_t hello_kbps_min = 16;
 inline constexpr std::uint32_t ack_delay_ms_max = 60'000;
@@ -42,10 +43,15 @@ struct Hello {
     bool resumable = false;
     struct Resume {
         std::string token;
-        std::uint32_t frame = 0;  // 0: none
+        std::uint32_t frame = 0;    // 0: none
+        std::uint32_t message = 0;  // number of the last user message; 0: none
     };
     std::optional<Resume> resume = {};
     bool joints = false;
+    bool players = false, attributes = false;
+    std::vector<std::string> topics = {};  // of user messages; "*": all
+    std::optional<std::uint32_t> color = {};
+    std::string join_code = {};  // of a private room
 };
 struct Ack {
     std::uint32_t frame = 0;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "server/messages/server_message.h"
 
+#include <google/protobuf/io/coded_stream.h>
+#include <google/protobuf/wire_format_lite.h>
+
 #include "jostle/base/check.h"
 #include "jostle/snapshot/word_changes.h"
 #include "jostle/v1/play.pb.h"
@@ -296,6 +299,21 @@ std::string encode_snapshot_header(const ClientUpdate& from, std::string_view mo
     std::string own = fields.SerializeAsString();
     own += more;
     return encode_header(v1::ServerMessage::kSnapshotFieldNumber, own, shared_bytes);
+}
+
+std::size_t channels_size(std::string_view fields) {
+    using google::protobuf::internal::WireFormatLite;
+    google::protobuf::io::CodedInputStream in(reinterpret_cast<const std::uint8_t*>(fields.data()),
+                                              static_cast<int>(fields.size()));
+    std::size_t bytes = 0;
+    for (int begin = 0; const std::uint32_t tag = in.ReadTag(); begin = in.CurrentPosition()) {
+        if (!WireFormatLite::SkipField(&in, tag)) break;
+        const int field = WireFormatLite::GetTagFieldNumber(tag);
+        if (field == v1::Snapshot::kChannelsFieldNumber ||
+            field == v1::Snapshot::kChannelsCrcFieldNumber)
+            bytes += static_cast<std::size_t>(in.CurrentPosition() - begin);
+    }
+    return bytes;
 }
 
 }  // namespace jostle::server

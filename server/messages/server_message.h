@@ -93,5 +93,7 @@ std::string encode_points_ended_field(std::span<const std::uint32_t> objects);
 // client's own field and `more` fields.
 std::string encode_snapshot_header(const ClientUpdate& own, std::string_view more,
                                    std::size_t shared_bytes);
+// The bytes of the channels among encoded fields of a Snapshot.
+std::size_t channels_size(std::string_view fields);
 
 }  // namespace jostle::server

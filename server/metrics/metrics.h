@@ -41,6 +41,26 @@ constexpr auto names_of(SkipReason) {
     return std::to_array<std::string_view>({"window", "pending", "rate", "encodings"});
 }
 
+// What the bytes that the server sends to clients contain.
+enum class TrafficKind {
+    entities,  // entity updates and large shapes
+    poses,     // with the cells of an area of interest
+    channels,  // of modules
+    points,    // point objects
+    events,
+    statistics,
+    results,     // of inputs, and the rest of the client update
+    replies,     // welcomes, pongs and notices
+    attributes,  // with the list of players
+    messages,    // of users
+};
+constexpr auto names_of(TrafficKind) {
+    return std::to_array<std::string_view>({"entities", "poses", "channels", "points", "events",
+                                            "statistics", "results", "replies", "attributes",
+                                            "messages"});
+}
+inline constexpr std::size_t traffic_kinds = names_of(TrafficKind{}).size();
+
 // Why a world was paused.
 enum class PauseCause {
     request,   // by an operator
@@ -153,6 +173,11 @@ struct Metrics {
     // --- client traffic ---
     CountersBy<InputOutcome> inputs = {
         counters("jostle_inputs_total", "Client inputs with a result, by result code."), "code"};
+    CountersBy<TrafficKind> sent_bytes = {
+        counters("jostle_sent_bytes_total",
+                 "Bytes of messages sent to clients, before transport overhead, by content. poses "
+                 "include the headers of snapshots."),
+        "kind"};
     Counter& snapshot_bytes =
         one(counters("jostle_snapshot_bytes_total", "Bytes of snapshots sent."));
     Counter& snapshots_sent =

@@ -9,6 +9,8 @@
 
 #include "jostle/scenes/shape_message.h"
 #include "server/util/bytes.h"
+#include "server/world/attribute_bytes.h"
+#include "server/world/room_codec.h"
 
 namespace jostle::server {
 namespace {
@@ -16,11 +18,15 @@ namespace {
 using physics::Vec3;
 
 // See docs/design/format_changes.md. Version 2 has no rewinds, version 3 no undos, version 4 no
-// targets on ropes and cloths. Segments are written in the oldest version that can hold them, which
-// older servers read.
-constexpr std::uint64_t version_of_rewinds = 3, version_of_undos = 4, version_of_deformables = 5;
-constexpr std::uint64_t journal_version = version_of_deformables, oldest_version = 2;
+// targets on ropes and cloths, version 5 no players, attributes and messages, version 6 no room
+// commands. Segments are written in the oldest version that can hold them, which older servers
+// read.
+constexpr std::uint64_t version_of_rewinds = 3, version_of_undos = 4, version_of_deformables = 5,
+                        version_of_players = 6, version_of_rooms = 7;
+constexpr std::uint64_t journal_version = version_of_rooms, oldest_version = 2;
 constexpr std::uint64_t no_action = 255;  // in place of an action kind
+// Elements of a list in a command; inputs have fewer.
+constexpr std::size_t list_max = 4096;
 
 // visit_action() lists the fields of each kind of action once; a JournalWriter writes them, a
 // JournalReader reads them.
@@ -45,6 +51,16 @@ struct JournalWriter {
     }
     void operator()(const physics::Quat& q) {
         for (const double value : {q.x, q.y, q.z, q.w}) to.real(value);
+    }
+    void room(const RoomCommand& command) { to.text(encode_room_command(command)); }
+    template <class Enum>
+    requires std::is_enum_v<Enum>
+    void operator()(Enum value) { to.number(static_cast<std::uint32_t>(value)); }
+    void operator()(const AttributeValue& value) { write_attribute_value(to, value); }
+    template <class Item, class Each>
+    void list(const std::vector<Item>& items, Each&& each) {
+        to.number(items.size());
+        for (const Item& item : items) each(item);
     }
     void shape(const SpawnCommand& spawn) {
         to.text(spawn.shape_bytes.empty() ? scenes::shape_bytes(spawn.shape) : spawn.shape_bytes);
@@ -71,6 +87,37 @@ struct JournalReader {
     void operator()(Vec3& v) { v.x = from.real(), v.y = from.real(), v.z = from.real(); }
     void operator()(physics::Quat& q) {
         q.x = from.real(), q.y = from.real(), q.z = from.real(), q.w = from.real();
+    }
+    // The last enumerator of each enumeration bounds it.
+    template <class Enum>
+    requires std::is_enum_v<Enum>
+    void operator()(Enum& value) {
+        const std::uint32_t number = from.small();
+        if (number > static_cast<std::uint32_t>(last_of(value))) from.fail();
+        if (std::is_same_v<Enum, AttributeVisibility> && number == 0) from.fail();
+        value = static_cast<Enum>(number);
+    }
+    static constexpr PlayerRole last_of(PlayerRole) { return PlayerRole::owner; }
+    static constexpr AttributeTargetKind last_of(AttributeTargetKind) {
+        return AttributeTargetKind::entity;
+    }
+    static constexpr AttributeVisibility last_of(AttributeVisibility) {
+        return AttributeVisibility::roles;
+    }
+    void operator()(AttributeValue& value) { value = read_attribute_value(from); }
+    template <class Item, class Each>
+    void list(std::vector<Item>& items, Each&& each) {
+        items.resize(std::min(from.count(), list_max));
+        for (Item& item : items) each(item);
+    }
+    void room(RoomCommand& command) {
+        const std::string_view bytes = from.text();
+        if (!from.ok() || !status.ok()) return;
+        Result<RoomCommand> decoded = decode_room_command(bytes);
+        if (decoded.ok())
+            command = *std::move(decoded);
+        else
+            status = decoded.error();
     }
     void shape(SpawnCommand& spawn) {
         spawn.shape_bytes = from.text();
@@ -109,8 +156,24 @@ void visit_action(Visitor& v, Command& c) {
     } else if constexpr (std::is_same_v<Kind, ControlCommand>) {
         for (auto& axis : c.controls.axes) v(axis);
         v(c.controls.buttons);
+    } else if constexpr (std::is_same_v<Kind, RoomCommand>) {
+        v.room(c);
     } else if constexpr (std::is_same_v<Kind, LeaveCommand>) {
         v(c.retain_bodies);
+    } else if constexpr (std::is_same_v<Kind, JoinCommand>) {
+        v(c.name), v(c.role), v(c.color), v(c.tick);
+    } else if constexpr (std::is_same_v<Kind, RenameCommand>) {
+        v(c.name);
+    } else if constexpr (std::is_same_v<Kind, SetRoleCommand>) {
+        v(c.player), v(c.role);
+    } else if constexpr (std::is_same_v<Kind, SetAttributesCommand>) {
+        v(c.target.kind), v(c.target.id);
+        v.list(c.changes, [&](auto& change) {
+            v(change.key), v(change.value), v(change.visibility), v(change.roles);
+        });
+    } else if constexpr (std::is_same_v<Kind, SendMessageCommand>) {
+        v(c.topic), v(c.data), v(c.to_server);
+        v.list(c.to, [&](auto& client) { v(client); });
     } else {
         static_assert(std::is_same_v<Kind, ReleaseCommand> ||
                       std::is_same_v<Kind, DisconnectCommand>);
@@ -129,6 +192,10 @@ bool make_action(std::uint64_t index, Action& action) {
     }
 }
 
+bool is_about_players(const JournaledCommand& command) {
+    return command.action && command.action->index() >= Action(JoinCommand{}).index();
+}
+
 bool is_at_deformable(const JournaledCommand& command) {
     if (!command.action) return false;
     const Action& action = *command.action;
@@ -138,10 +205,19 @@ bool is_at_deformable(const JournaledCommand& command) {
     return std::holds_alternative<CutCommand>(action);
 }
 
+bool is_about_room(const JournaledCommand& command) {
+    return command.action && std::holds_alternative<RoomCommand>(*command.action);
+}
+
 std::uint64_t version_of(const JournalSegment& segment) {
-    for (const JournaledTick& tick : segment.ticks)
-        if (std::ranges::any_of(tick.commands, is_at_deformable)) return version_of_deformables;
-    return segment.undo ? version_of_undos : version_of_rewinds;
+    std::uint64_t version = segment.undo ? version_of_undos : version_of_rewinds;
+    const auto needs = [&](std::uint64_t at_least) { version = std::max(version, at_least); };
+    for (const JournaledTick& tick : segment.ticks) {
+        if (std::ranges::any_of(tick.commands, is_at_deformable)) needs(version_of_deformables);
+        if (std::ranges::any_of(tick.commands, is_about_players)) needs(version_of_players);
+        if (std::ranges::any_of(tick.commands, is_about_room)) needs(version_of_rooms);
+    }
+    return version;
 }
 
 Error not_a_journal(const std::string& why) {

@@ -7,6 +7,7 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <type_traits>
 #include <utility>
 
 #include "jostle/physics/serialization.h"
@@ -37,6 +38,8 @@ struct Content {
     std::vector<SavedHostState::ProcessedInput> processed;
     std::vector<EntityId> quarantined;
     std::vector<std::string> omitted;
+    std::string
+        data;  // a host state with players, attributes, messages and the room only; or empty
 };
 
 struct Writer {
@@ -80,6 +83,9 @@ void visit(Visitor& v, AnyContent& content) {
     v.list(content.processed, [&](auto& p) { v(p.client), v(p.sequence); });
     v.list(content.quarantined, value);
     v.list(content.omitted, value);
+    if constexpr (std::is_same_v<Visitor, Reader>)
+        if (v.from.at_end()) return;  // of an earlier version
+    v(content.data);
 }
 
 Result<Content> read(std::string_view bytes) {
@@ -150,6 +156,13 @@ Result<SavedHostState> host_state_of(const Content& content, std::uint32_t tick,
     }
     for (const EntityId id : content.quarantined)
         if (entities.contains(id)) host_state.quarantined.push_back(id);
+    if (content.data.empty()) return host_state;
+    Result<SavedHostState> data = decode_host_state(content.data);
+    if (!data.ok()) return data.error();
+    host_state.players = std::move(data->players);
+    host_state.attributes = std::move(data->attributes);
+    host_state.messages = data->messages;
+    host_state.room = std::move(data->room);
     return host_state;
 }
 
@@ -163,6 +176,26 @@ void reset_modules(scenes::SceneDescription& scene, std::vector<std::string>& om
         omitted.push_back(std::to_string(reset) +
                           " module states: this version has another format, so the modules start "
                           "from their initial state");
+}
+
+// Modules create their bodies again with other ids, so the attributes of those are omitted.
+std::string portable_data(const SavedHostState& host_state, const std::set<EntityId>& included,
+                          std::vector<std::string>& omitted) {
+    SavedHostState data{
+        .players = host_state.players, .messages = host_state.messages, .room = host_state.room};
+    std::size_t lost = 0;
+    for (const SavedHostState::SavedAttribute& saved : host_state.attributes) {
+        if (saved.target.kind == AttributeTargetKind::entity && !included.contains(saved.target.id))
+            lost++;
+        else
+            data.attributes.push_back(saved);
+    }
+    if (lost > 0)
+        omitted.push_back(std::to_string(lost) +
+                          " attributes of module bodies: their modules create them again");
+    const bool is_empty =
+        data.players.empty() && data.attributes.empty() && data.messages == 0 && !data.room;
+    return is_empty ? std::string() : encode_host_state(data);
 }
 
 }  // namespace
@@ -205,6 +238,7 @@ PortableForm encode_portable(HostedWorld& world, std::uint32_t tick,
     if (released > 0)
         content.omitted.push_back(std::to_string(released) +
                                   " controlled entities: their modules create them again");
+    content.data = portable_data(host_state, included, content.omitted);
     Writer writer;
     writer.to.number(portable_version);
     visit(writer, std::as_const(content));

@@ -370,10 +370,13 @@ private:
 
     static bool ends_something(const Action& action) {
         const auto* const possess = std::get_if<PossessCommand>(&action);
+        // Decisions about the members of a room outlive an undo.
+        if (const auto* const room = std::get_if<RoomCommand>(&action))
+            return !std::holds_alternative<CleanUpBodies>(room->kind);
         return std::holds_alternative<ReleaseCommand>(action) ||
                std::holds_alternative<LeaveCommand>(action) ||
                std::holds_alternative<DisconnectCommand>(action) ||
-               (possess && possess->entity == 0);
+               std::holds_alternative<JoinCommand>(action) || (possess && possess->entity == 0);
     }
 
     WorldStorage& storage_;

@@ -10,7 +10,7 @@
 namespace jostle::server {
 namespace {
 
-constexpr std::uint64_t definition_version = 2;
+constexpr std::uint64_t definition_version = 3;
 
 Error not_a_definition(const std::string& why) {
     return {ErrorCode::corrupt_data, "corrupt world definition: " + why};
@@ -34,7 +34,12 @@ std::string encode_world_definition(const WorldDefinition& definition) {
     to.real(definition.limits.bodies_owned_max);
     to.real(definition.limits.lag_compensation_ms_max);
     to.real(definition.work_per_second);
-    to.real(scene.pairs_per_shape_max);  // since version 2
+    to.real(scene.pairs_per_shape_max);                                // since version 2
+    const AttributeLimits& attributes = definition.limits.attributes;  // since version 3
+    to.real(attributes.per_target_max);
+    to.real(attributes.text_bytes_max);
+    to.real(attributes.client_bytes_max);
+    to.real(attributes.world_bytes_max);
     return to.take();
 }
 
@@ -66,6 +71,12 @@ Result<WorldDefinition> decode_world_definition(std::string_view bytes) {
     definition.limits.lag_compensation_ms_max = from.real();
     definition.work_per_second = from.real();
     budget.pairs_per_shape_max = version < 2 ? 0 : count();  // worlds of version 1 had no limit
+    if (AttributeLimits& attributes = definition.limits.attributes; version >= 3) {
+        attributes.per_target_max = count();
+        attributes.text_bytes_max = count();
+        attributes.client_bytes_max = count();
+        attributes.world_bytes_max = count();
+    }
     if (!from.ok()) return not_a_definition("unexpected end of data");
     if (!from.at_end()) return not_a_definition("data after the end");
     if (!fits || !(definition.limits.lag_compensation_ms_max >= 0))

@@ -6,6 +6,10 @@
 #include "jostle/base/check.h"
 #include "jostle/scenes/scene_file.h"
 #include "jostle/v1/admin.pb.h"
+#include "server/limits/admission.h"
+#include "server/messages/room_message.h"
+#include "server/services/find_world.h"
+#include "server/services/world_list.h"
 #include "server/util/log.h"
 #include "server/util/text.h"
 #include "server/world/tick_trace.h"
@@ -19,16 +23,6 @@ constexpr double ban_seconds_max = 10 * 365.0 * 86400;
 constexpr std::uint32_t steps_max = 1000;
 // Added to the time that the steps take at the world's rate.
 constexpr double step_timeout_s = 2;
-
-// An operator must name the world: defaulting to the first one would be dangerous.
-Result<std::shared_ptr<WorldHost>> find_world(const PlayContext& context, const std::string& name) {
-    if (name.empty()) return invalid_argument("name the world; ListWorlds lists them");
-    std::shared_ptr<WorldHost> world = context.worlds.find(name);
-    if (!world)
-        return Error{ErrorCode::not_found,
-                     fmt::format("there is no world \"{}\"; ListWorlds lists them", name)};
-    return world;
-}
 
 Status check_reason(const std::string& reason) {
     if (reason.size() <= reason_bytes_max) return {};
@@ -90,6 +84,15 @@ Result<BanTarget> target_of(const Request& request) {
     return target;
 }
 
+template <class Label>
+void write(google::protobuf::RepeatedPtrField<v1::Count>& out, const CountersBy<Label>& counters) {
+    for (std::size_t i = 0; i < names_of(Label{}).size(); i++) {
+        v1::Count& count = *out.Add();
+        count.set_name(std::string(names_of(Label{})[i]));
+        count.set_value(counters[static_cast<Label>(i)].Value());
+    }
+}
+
 void write(v1::BanInfo& out, const Ban& ban) {
     out.set_subject(ban.target.subject);
     if (ban.target.network) out.set_network(text_of(*ban.target.network));
@@ -103,6 +106,36 @@ void write(v1::BanInfo& out, const Ban& ban) {
 
 void AdminControl::stop() {
     for (const auto& world : context_.worlds.list()) world->cancel_waiters();
+}
+
+Status AdminControl::get_server_status(const v1::GetServerStatusRequest& request,
+                                       v1::GetServerStatusResponse& response, const Identity& who) {
+    const Clock::time_point now = Clock::now();
+    response.set_version(JOSTLE_VERSION);
+    response.set_uptime_seconds(std::chrono::duration<double>(now - started_).count());
+    response.set_draining(context_.draining);
+    for (const auto& world : context_.worlds.list())
+        if (who.opens(world->id(), world->name()))
+            write_world(*response.add_worlds(), *world, context_.sessions);
+    for (const ClientStatus& status : context_.connected_clients.status(now))
+        if (who.opens(status.who.world_id, status.who.world_name))
+            write(*response.add_clients(), status);
+    if (who.is_limited_to_worlds()) return {};
+    if (context_.metrics) {
+        write(*response.mutable_sent_bytes(), context_.metrics->sent_bytes);
+        write(*response.mutable_inputs(), context_.metrics->inputs);
+        write(*response.mutable_refusals(), context_.metrics->refusals);
+    }
+    for (const Ban& ban : authorizer().bans().list(std::chrono::system_clock::now()))
+        write(*response.add_bans(), ban);
+    for (LogLine& line : log_tail(request.log_after())) {
+        v1::LogLine& out = *response.add_log();
+        out.set_number(line.number);
+        out.set_time(std::move(line.time));
+        out.set_level(std::move(line.level));
+        out.set_text(std::move(line.text));
+    }
+    return {};
 }
 
 Status AdminControl::list_clients(const v1::ListClientsRequest& request,
@@ -322,6 +355,57 @@ Status AdminControl::remove_bodies(const v1::RemoveBodiesRequest& request,
     log_info("world {}: an operator removed {} bodies of client {}", (*world)->id(), removed,
              request.client());
     response.set_bodies(static_cast<std::uint32_t>(removed));
+    return {};
+}
+
+Status AdminControl::get_room(const v1::GetRoomRequest& request, v1::GetRoomResponse& response) {
+    const auto world = find_world(context_, request.world());
+    if (!world.ok()) return world.error();
+    const RoomView room = (*world)->frame()->room;
+    if (!room)
+        return Error{
+            ErrorCode::failed_precondition,
+            fmt::format("world {} has no room; create it with room settings", (*world)->id())};
+    write_room(*response.mutable_settings(), room->properties);
+    response.set_owner(room->owner);
+    for (const RoomClient& client : room->clients) {
+        v1::RoomMember& member = *response.add_members();
+        member.set_client(client.client);
+        member.set_role(static_cast<v1::PlayerRole>(client.role));
+        member.set_member(client.member);
+        member.set_muted(client.muted_until != 0);
+        member.set_removed(client.removed);
+    }
+    for (const RoomBan& from : room->bans) {
+        v1::RoomBan& ban = *response.add_bans();
+        ban.set_member(from.member);
+        ban.set_reason(from.reason);
+        ban.set_permanent(from.until == 0);
+    }
+    if (!room->vote) return {};
+    response.set_vote_target(room->vote->target);
+    response.set_votes(static_cast<std::uint32_t>(room->vote->clients.size()));
+    return {};
+}
+
+Status AdminControl::moderate_room(const v1::ModerateRoomRequest& request,
+                                   v1::ModerateRoomResponse& response) {
+    const Result<RoomCommand> command = room_command_from_message(request.command());
+    if (!command.ok()) return command.error();
+    if (std::holds_alternative<PauseRoom>(command->kind))
+        return invalid_argument("use SetPaused to pause or resume a world");
+    if (Status s = check_numbers(*command); !s.ok()) return s;
+    const auto world = find_world(context_, request.world());
+    if (!world.ok()) return world.error();
+    const WaitSlot slot(waiting_);
+    if (Status s = slot.admitted(); !s.ok()) return s;
+    Status applied;
+    const Status done = (*world)->between_ticks().run(
+        [&](HostedWorld& hosted) { applied = hosted.apply_to_room(*command); });
+    if (!done.ok()) return done;
+    if (!applied.ok()) return applied;
+    log_info("world {}: an operator moderated its room", (*world)->id());
+    response.set_tick((*world)->frame()->tick);
     return {};
 }
 

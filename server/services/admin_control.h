@@ -11,6 +11,7 @@
 #include "jostle/base/result.h"
 #include "server/services/backup_download.h"
 #include "server/services/export_download.h"
+#include "server/services/world_data_control.h"
 #include "server/session/play_context.h"
 
 namespace jostle::v1 {
@@ -24,12 +25,18 @@ class DrainRequest;
 class DrainResponse;
 class ExportWorldRequest;
 class ExportWorldResponse;
+class GetRoomRequest;
+class GetRoomResponse;
+class GetServerStatusRequest;
+class GetServerStatusResponse;
 class KickRequest;
 class KickResponse;
 class ListBansRequest;
 class ListBansResponse;
 class ListClientsRequest;
 class ListClientsResponse;
+class ModerateRoomRequest;
+class ModerateRoomResponse;
 class ProfileRequest;
 class ProfileResponse;
 class RemoveBodiesRequest;
@@ -54,7 +61,10 @@ public:
     static constexpr double profile_seconds_max = 30;
     static constexpr double undo_seconds_max = 3600;
 
-    explicit AdminControl(PlayContext& context) : context_(context) {}
+    explicit AdminControl(PlayContext& context) : context_(context), data_(context) {}
+
+    // Players, attributes and user messages.
+    WorldDataControl& data() { return data_; }
 
     Authorizer& authorizer() const { return context_.authorizer; }
     // The world of a request, for authorization; null: no such world.
@@ -65,6 +75,8 @@ public:
     // The server is shutting down: calls that wait for a world return at once.
     void stop();
 
+    Status get_server_status(const v1::GetServerStatusRequest& request,
+                             v1::GetServerStatusResponse& response, const Identity& who);
     // Lists and removes clients of the worlds that the token of `who` opens; others are refused.
     Status list_clients(const v1::ListClientsRequest& request, v1::ListClientsResponse& response,
                         const Identity& who);
@@ -82,6 +94,9 @@ public:
     Status undo_client(const v1::UndoClientRequest& request, v1::UndoClientResponse& response);
     Status remove_bodies(const v1::RemoveBodiesRequest& request,
                          v1::RemoveBodiesResponse& response);
+    Status get_room(const v1::GetRoomRequest& request, v1::GetRoomResponse& response);
+    Status moderate_room(const v1::ModerateRoomRequest& request,
+                         v1::ModerateRoomResponse& response);
     Status backup(const v1::BackupRequest& request, v1::BackupResponse& response);
     // Deletes downloads that nobody reads. Call it every few seconds.
     void remove_idle_downloads(Clock::time_point now) {
@@ -94,6 +109,8 @@ public:
 private:
     Status write_export(ExportedScene exported, v1::ExportWorldResponse& response) const;
     PlayContext& context_;
+    const Clock::time_point started_ = Clock::now();
+    WorldDataControl data_;
     std::atomic<int> waiting_{0};
     BackupDownload backup_download_;
     ExportDownload export_download_;

@@ -10,6 +10,8 @@ namespace jostle::server {
 namespace {
 
 constexpr std::size_t admin_request_bytes_max = 4096;
+// 64 attributes with texts of 256 bytes, or a user message.
+constexpr std::size_t data_request_bytes_max = 128 << 10;
 
 std::string path_of(const char* name) {
     return fmt::format("/jostle.v1.AdminService/{}", name);
@@ -61,13 +63,14 @@ CallMethod server_call(AdminControl& control, const char* name, Audit audit,
         });
 }
 
-// A call about the world named in the request.
-template <class Request, class Response>
-CallMethod world_call(AdminControl& control, const WorldDirectory& worlds, const char* name,
+// A call about the world named in the request. `Control`: AdminControl or WorldDataControl.
+template <class Control, class Request, class Response>
+CallMethod world_call(Control& control, const WorldDirectory& worlds, const char* name,
                       CallWork work, Audit audit,
-                      Status (AdminControl::*handle)(const Request&, Response&)) {
+                      Status (Control::*handle)(const Request&, Response&)) {
+    constexpr bool has_data = std::is_same_v<Control, WorldDataControl>;
     return world_method<Request, Response>(
-        path_of(name), work, admin_request_bytes_max, worlds,
+        path_of(name), work, has_data ? data_request_bytes_max : admin_request_bytes_max, worlds,
         [&control, handle, audit](const CallContext& context, const Request& request,
                                   Response& response) {
             Status done = (control.*handle)(request, response);
@@ -82,6 +85,7 @@ CallMethod world_call(AdminControl& control, const WorldDirectory& worlds, const
 
 std::vector<CallMethod> admin_methods(AdminControl& control, const WorldDirectory& worlds) {
     return {
+        server_call(control, "GetServerStatus", Audit::no, &AdminControl::get_server_status),
         server_call(control, "ListClients", Audit::no, &AdminControl::list_clients),
         server_call(control, "Kick", Audit::yes, &AdminControl::kick),
         unary_method<v1::BackupRequest, v1::BackupResponse>(
@@ -108,10 +112,23 @@ std::vector<CallMethod> admin_methods(AdminControl& control, const WorldDirector
                    &AdminControl::download_world),
         world_call(control, worlds, "RemoveBodies", CallWork::blocking, Audit::yes,
                    &AdminControl::remove_bodies),
+        world_call(control, worlds, "GetRoom", CallWork::quick, Audit::no, &AdminControl::get_room),
+        world_call(control, worlds, "ModerateRoom", CallWork::blocking, Audit::yes,
+                   &AdminControl::moderate_room),
         world_call(control, worlds, "RewindWorld", CallWork::blocking, Audit::yes,
                    &AdminControl::rewind_world),
         world_call(control, worlds, "UndoClient", CallWork::blocking, Audit::yes,
                    &AdminControl::undo_client),
+        world_call(control.data(), worlds, "ListPlayers", CallWork::quick, Audit::no,
+                   &WorldDataControl::list_players),
+        world_call(control.data(), worlds, "SetPlayerRole", CallWork::blocking, Audit::yes,
+                   &WorldDataControl::set_player_role),
+        world_call(control.data(), worlds, "GetAttributes", CallWork::quick, Audit::no,
+                   &WorldDataControl::get_attributes),
+        world_call(control.data(), worlds, "SetAttributes", CallWork::blocking, Audit::yes,
+                   &WorldDataControl::set_attributes),
+        world_call(control.data(), worlds, "SendMessage", CallWork::blocking, Audit::yes,
+                   &WorldDataControl::send_message),
         world_call(control, worlds, "Profile", CallWork::blocking, Audit::no,
                    &AdminControl::profile),
     };

@@ -4,6 +4,9 @@
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
+#include <set>
+#include <type_traits>
+#include <utility>
 
 #include "jostle/base/check.h"
 #include "jostle/physics/limits.h"
@@ -94,35 +97,66 @@ physics::QueryFilter read_filter(const v1::QueryFilter& message, const QueryFram
 
 // --- encoding responses ---
 
+// A hit and whether it is of the shapes of point objects.
 template <class PhysicsHit>
-void write_hit(v1::Hit& to, const PhysicsHit& from, const QueryFrame& frame) {
-    const ShapeOwner owner = frame.owner_of(from.shape);
-    ASSERT(owner.entity != 0);
-    to.set_entity(owner.entity);
-    to.set_shape(owner.number);
-    to.set_fraction(from.fraction);
-    write_vector(*to.mutable_point(), from.point);
-    write_vector(*to.mutable_normal(), from.normal);
-}
+struct Found {
+    PhysicsHit hit;
+    bool is_point_object = false;
+};
 
 template <class PhysicsHit>
-Status write_hits(v1::Hits& to, const Result<std::vector<PhysicsHit>>& hits,
-                  const QueryFrame& frame, std::size_t& total) {
+void write_hit(v1::Hit& to, const Found<PhysicsHit>& from, const QueryTarget& target) {
+    if (from.is_point_object) {
+        to.set_object(target.points->object_of(from.hit.shape));
+    } else {
+        const ShapeOwner owner = target.frame->owner_of(from.hit.shape);
+        ASSERT(owner.entity != 0);
+        to.set_entity(owner.entity);
+        to.set_shape(owner.number);
+    }
+    to.set_fraction(from.hit.fraction);
+    write_vector(*to.mutable_point(), from.hit.point);
+    write_vector(*to.mutable_normal(), from.hit.normal);
+}
+
+// Runs `query` on the shapes of entities, and on those of point objects if they are searched.
+// `query` takes Queries and returns a Result of a list of hits that are sorted by fraction.
+template <class Query>
+Status write_all_hits(v1::Hits& to, const QueryTarget& target, std::size_t& total,
+                      const Query& query) {
+    const auto hits = query(target.queries);
     if (!hits.ok()) return from_solver(hits.error());
-    total += hits->size();
+    using PhysicsHit = typename std::decay_t<decltype(*hits)>::value_type;
+    std::vector<Found<PhysicsHit>> found;
+    for (const PhysicsHit& hit : *hits) found.push_back({hit});
+    if (target.points) {
+        const auto more = query(target.points->queries());
+        if (!more.ok()) return from_solver(more.error());
+        for (const PhysicsHit& hit : *more) found.push_back({hit, true});
+        std::ranges::stable_sort(found, {}, [](const auto& each) { return each.hit.fraction; });
+    }
+    total += found.size();
     if (total > hits_max)
         return Error{
             ErrorCode::resource_exhausted,
             fmt::format("the response would have more than {} hits; split the request", hits_max)};
-    for (const PhysicsHit& hit : *hits) write_hit(*to.add_hits(), hit, frame);
+    for (const Found<PhysicsHit>& each : found) write_hit(*to.add_hits(), each, target);
     return {};
 }
 
-template <class PhysicsHit>
-Status write_hits(v1::Hits& to, const Result<std::optional<PhysicsHit>>& hit,
-                  const QueryFrame& frame) {
+// The same for a `query` that returns the closest hit, if there is one.
+template <class Query>
+Status write_closest_hit(v1::Hits& to, const QueryTarget& target, const Query& query) {
+    auto hit = query(target.queries);
     if (!hit.ok()) return from_solver(hit.error());
-    if (*hit) write_hit(*to.add_hits(), **hit, frame);
+    bool is_point_object = false;
+    if (target.points) {
+        auto other = query(target.points->queries());
+        if (!other.ok()) return from_solver(other.error());
+        is_point_object = *other && (!*hit || (*other)->fraction < (*hit)->fraction);
+        if (is_point_object) hit = std::move(other);
+    }
+    if (*hit) write_hit(*to.add_hits(), Found{**hit, is_point_object}, target);
     return {};
 }
 
@@ -137,7 +171,8 @@ template <class Request>
 Result<QueryTarget> target_of(const WorldDirectory& worlds, const Request& request,
                               const RewindView::CandidateFilter& candidate_filter = any_candidate) {
     return query_target(worlds, request.world(),
-                        request.has_view_time() ? &request.view_time() : nullptr, candidate_filter);
+                        request.has_view_time() ? &request.view_time() : nullptr,
+                        request.filter().include_deformables(), candidate_filter);
 }
 
 template <class Response>
@@ -171,16 +206,22 @@ Status check_ray(const v1::Ray& ray, int number) {
 
 Status cast_one(const physics::Ray& ray, v1::HitMode mode, const physics::QueryFilter& filter,
                 const QueryTarget& target, v1::Hits& hits, std::size_t& total) {
-    const QueryFrame& frame = *target.frame;
     if (mode == v1::HIT_MODE_ALL)
-        return write_hits(hits, target.queries.cast_ray_all(ray, filter), frame, total);
-    if (Status s = write_hits(hits, target.queries.cast_ray(ray, filter), frame); !s.ok()) return s;
+        return write_all_hits(hits, target, total, [&](const physics::Queries& queries) {
+            return queries.cast_ray_all(ray, filter);
+        });
+    const auto closest = [&](const physics::Queries& queries) {
+        return queries.cast_ray(ray, filter);
+    };
+    if (Status s = write_closest_hit(hits, target, closest); !s.ok()) return s;
     if (mode == v1::HIT_MODE_ANY && hits.hits_size() > 0) {
-        // HIT_MODE_ANY returns only an entity. The solver's any-hit test returns no shape, so the
-        // closest hit is used; the mode only reduces the size of the response.
-        const std::uint32_t entity = hits.hits(0).entity();
-        hits.mutable_hits(0)->Clear();
-        hits.mutable_hits(0)->set_entity(entity);
+        // HIT_MODE_ANY returns only what was hit. The solver's any-hit test returns no shape, so
+        // the closest hit is used; the mode only reduces the size of the response.
+        v1::Hit& hit = *hits.mutable_hits(0);
+        const std::uint32_t entity = hit.entity(), object = hit.object();
+        hit.Clear();
+        hit.set_entity(entity);
+        hit.set_object(object);
     }
     return {};
 }
@@ -245,11 +286,17 @@ Status QueryControl::cast_shapes(const v1::CastShapesRequest& request,
     for (const physics::ShapeCast& cast : casts) {
         if (!still_needed()) return cancelled();
         v1::Hits& hits = *response.add_shapes();
-        Status s =
-            request.mode() == v1::HIT_MODE_ALL
-                ? write_hits(hits, target->queries.cast_shape_all(cast, filter), *frame, total)
-                : write_hits(hits, target->queries.cast_shape(cast, filter), *frame);
-        if (!s.ok()) return s;
+        const auto all = [&](const physics::Queries& queries) {
+            return queries.cast_shape_all(cast, filter);
+        };
+        const auto closest = [&](const physics::Queries& queries) {
+            return queries.cast_shape(cast, filter);
+        };
+        if (Status s = request.mode() == v1::HIT_MODE_ALL
+                           ? write_all_hits(hits, *target, total, all)
+                           : write_closest_hit(hits, *target, closest);
+            !s.ok())
+            return s;
     }
     return {};
 }
@@ -275,16 +322,20 @@ Status QueryControl::overlap(const v1::OverlapRequest& request, v1::OverlapRespo
     const QueryFramePtr& frame = target->frame;
     write_view_time(response, *target);
     const physics::QueryFilter filter = read_filter(request.filter(), *frame);
-    const auto found = request.has_shape()
-                           ? target->queries.overlap_shape(shape.geometry, shape.pose, filter)
-                           : target->queries.shapes_at(to_vector(request.point()), filter);
+    const auto shapes_in = [&](const physics::Queries& queries) {
+        return request.has_shape() ? queries.overlap_shape(shape.geometry, shape.pose, filter)
+                                   : queries.shapes_at(to_vector(request.point()), filter);
+    };
+    const auto found = shapes_in(target->queries);
     if (!found.ok()) return from_solver(found.error());
-    std::vector<EntityId> entities;
-    for (const physics::ShapeId id : *found) entities.push_back(frame->owner_of(id).entity);
-    std::ranges::sort(entities);
-    const auto repeated = std::ranges::unique(entities);
-    entities.erase(repeated.begin(), repeated.end());
+    std::set<std::uint32_t> entities, objects;
+    for (const physics::ShapeId id : *found) entities.insert(frame->owner_of(id).entity);
     response.mutable_entities()->Add(entities.begin(), entities.end());
+    if (!target->points) return {};
+    const auto found_points = shapes_in(target->points->queries());
+    if (!found_points.ok()) return from_solver(found_points.error());
+    for (const physics::ShapeId id : *found_points) objects.insert(target->points->object_of(id));
+    response.mutable_objects()->Add(objects.begin(), objects.end());
     return {};
 }
 
@@ -304,13 +355,24 @@ Status QueryControl::closest_points(const v1::ClosestPointsRequest& request,
     if (!target.ok()) return target.error();
     const QueryFramePtr& frame = target->frame;
     write_view_time(response, *target);
-    const auto found = target->queries.closest_points(points, request.max_distance(),
-                                                      read_filter(request.filter(), *frame));
+    const physics::QueryFilter filter = read_filter(request.filter(), *frame);
+    const auto found = target->queries.closest_points(points, request.max_distance(), filter);
     if (!found.ok()) return from_solver(found.error());
-    for (const std::optional<physics::ClosestPoint>& closest : *found) {
+    using ClosestPoints = std::vector<std::optional<physics::ClosestPoint>>;
+    physics::Result<ClosestPoints> others = ClosestPoints(points.size());
+    if (target->points)
+        others = target->points->queries().closest_points(points, request.max_distance(), filter);
+    if (!others.ok()) return from_solver(others.error());
+    for (std::size_t k = 0; k < points.size(); k++) {
+        const std::optional<physics::ClosestPoint>&of_entity = (*found)[k], &other = (*others)[k];
+        const bool is_other = other && (!of_entity || other->distance < of_entity->distance);
+        const std::optional<physics::ClosestPoint>& closest = is_other ? other : of_entity;
         v1::ClosestPoint& to = *response.add_points();
         if (!closest) continue;
-        to.set_entity(frame->owner_of(closest->shape).entity);
+        if (is_other)
+            to.set_object(target->points->object_of(closest->shape));
+        else
+            to.set_entity(frame->owner_of(closest->shape).entity);
         to.set_distance(closest->distance);
         write_vector(*to.mutable_point(), closest->point);
         write_vector(*to.mutable_normal(), closest->normal);

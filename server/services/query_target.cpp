@@ -46,23 +46,35 @@ Result<QueryFramePtr> query_frame_of(const WorldDirectory& worlds, const std::st
 }
 
 Result<QueryTarget> query_target(const WorldDirectory& worlds, const std::string& name,
-                                 const v1::ViewTime* view_time,
+                                 const v1::ViewTime* view_time, bool deformables,
                                  const RewindView::CandidateFilter& candidate_filter) {
     if (view_time)
         if (Status s = check_view_time(*view_time); !s.ok()) return s.error();
     const Result<std::shared_ptr<WorldHost>> world = find_host(worlds, name);
     if (!world.ok()) return world.error();
-    const Result<QueryFramePtr> frame = frame_of(**world, copy_shapes);
+    const Result<QueryFramePtr> frame =
+        frame_of(**world, copy_shapes | (deformables ? copy_points : 0));
     if (!frame.ok()) return frame.error();
     ASSERT((*frame)->queries);
-    QueryTarget now{.frame = *frame, .queries = *(*frame)->queries, .tick = (*frame)->tick};
-    if (!view_time) return now;
+    QueryTarget target{
+        .frame = *frame, .queries = *(*frame)->queries, .points = nullptr, .tick = (*frame)->tick};
+    if (!view_time) {
+        if (deformables) target.points = (*frame)->point_shapes();
+        return target;
+    }
     const RewindView past(
         *(*world)->frame_history().at({view_time->tick(), view_time->fraction()}));
-    const Result<physics::Queries> rewound =
-        now.queries.with_shapes_at(past.shapes(*now.frame->entity_list, candidate_filter));
+    Result<physics::Queries> rewound =
+        target.queries.with_shapes_at(past.shapes(*(*frame)->entity_list, candidate_filter));
     if (!rewound.ok()) return Error{ErrorCode::internal, rewound.error().message};
-    return QueryTarget{now.frame, *rewound, past.tick(), past.clamped()};
+    target.queries = *std::move(rewound);
+    target.tick = past.tick();
+    target.clamped = past.clamped();
+    if (deformables)
+        target.points = past.has_points()
+                            ? std::make_shared<const PointShapes>(past.points(candidate_filter))
+                            : (*frame)->point_shapes();
+    return target;
 }
 
 }  // namespace jostle::server

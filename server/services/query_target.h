@@ -4,6 +4,7 @@
 // compensation). Any thread; may wait up to 250 ms for the copy.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "jostle/base/result.h"
@@ -20,6 +21,7 @@ namespace jostle::server {
 struct QueryTarget {
     QueryFramePtr frame;  // copied with its shapes
     physics::Queries queries;
+    std::shared_ptr<const PointShapes> points;  // null: the query does not ask for them
     std::uint32_t tick = 0;
     bool clamped = false;  // the view time was older than the oldest frame
 };
@@ -28,9 +30,10 @@ struct QueryTarget {
 Result<QueryFramePtr> query_frame_of(const WorldDirectory& worlds, const std::string& world,
                                      CopyLayers parts);
 
-// `view_time` null: now. Only candidates that pass the filter are rewound.
+// `view_time` null: now. Only candidates that pass the filter are rewound. `deformables`: also the
+// shapes of ropes and cloths.
 Result<QueryTarget> query_target(const WorldDirectory& worlds, const std::string& world,
-                                 const v1::ViewTime* view_time,
+                                 const v1::ViewTime* view_time, bool deformables,
                                  const RewindView::CandidateFilter& candidate_filter);
 
 // For queries about the entire world.

@@ -16,6 +16,8 @@ class DeleteWorldRequest;
 class DeleteWorldResponse;
 class GetWorldRequest;
 class GetWorldResponse;
+class JoinOrCreateWorldRequest;
+class JoinOrCreateWorldResponse;
 class JoinWorldRequest;
 class JoinWorldResponse;
 class ListWorldsRequest;
@@ -50,6 +52,11 @@ public:
     // The ticket is issued to the caller.
     Status join(const v1::JoinWorldRequest& request, v1::JoinWorldResponse& response,
                 const Identity& who, const std::string& address);
+    // Joins a room that matches, or creates one. The transport has admitted the call to join;
+    // creating a world is admitted and recorded here.
+    Status join_or_create(const v1::JoinOrCreateWorldRequest& request,
+                          v1::JoinOrCreateWorldResponse& response, const Identity& who,
+                          const std::string& address);
     // The world of a request, for authorization; null: no such world.
     std::shared_ptr<WorldHost> find(const std::string& world) const {
         return context_.worlds.find(world);

@@ -43,6 +43,11 @@ std::vector<CallMethod> world_methods(WorldControl& control, const WorldDirector
             [&](const CallContext& context, const auto& request, auto& response) {
                 return control.join(request, response, context.who, context.address);
             }),
+        unary_method<v1::JoinOrCreateWorldRequest, v1::JoinOrCreateWorldResponse>(
+            service + "JoinOrCreateWorld", CallWork::control, scene_bytes_max,
+            [&](const CallContext& context, const auto& request, auto& response) {
+                return control.join_or_create(request, response, context.who, context.address);
+            }),
         unary_method<v1::CreateWorldRequest, v1::CreateWorldResponse>(
             service + "CreateWorld", CallWork::control, scene_bytes_max,
             [&](const CallContext& context, const auto& request, auto& response) {

@@ -15,6 +15,7 @@
 #include "server/messages/entity_update_message.h"
 #include "server/replication/point_cache.h"
 #include "server/replication/pose_cache.h"
+#include "server/session/shared_data.h"
 #include "server/world/world_host.h"
 
 namespace jostle::server {
@@ -43,6 +44,8 @@ public:
     SharedBytes world_stats(const FramePtr& frame, std::uint32_t clients);
     // The shared fields of an Events message.
     SharedBytes events(const std::shared_ptr<const TickEvents>& tick);
+    // Players, attributes and user messages.
+    SharedData& data() { return data_; }
 
 private:
     struct EntityListChange {
@@ -60,6 +63,7 @@ private:
     const std::shared_ptr<WorldHost> host_;
     const double interest_cell_m_;
     PointCache points_;
+    SharedData data_;
     std::mutex mutex_;
     std::map<StreamPrecision, std::weak_ptr<PoseCache>> poses_;
     // The last one stays for a client that resumes.

@@ -128,6 +128,7 @@ std::optional<OutMessage> ClientSession::next_message(Clock::time_point now) {
     check_end(now);
     if (std::optional<OutMessage> message = outbox_.pop()) {
         if (joined_) joined_->snapshots().on_other_sent();
+        metrics_.sent_other(*message);
         return message;
     }
     if (!joined_ || end_) return std::nullopt;

@@ -9,6 +9,7 @@
 
 #include "jostle/base/check.h"
 #include "server/limits/account.h"
+#include "server/session/room_admission.h"
 #include "server/session/world_admission.h"
 #include "server/util/log.h"
 #include "server/util/text.h"
@@ -80,9 +81,14 @@ Result<std::unique_ptr<JoinedWorld>> join_as_new(const JoinedWorld::Parts& parts
     const Result<AdmittedClient> admitted =
         admit_to_world(parts.context, parts.peer, hello, parts.resume.redeemed_ticket());
     if (!admitted.ok()) return admitted.error();
+    if (Status s = check_room_capacity(*admitted->world, parts.context.sessions, admitted->who,
+                                       parts.peer.address);
+        !s.ok())
+        return s.error();
     const Result<ClientId> client =
         acquire_client_id(parts.context, *admitted->world, parts.peer.address,
-                          admitted->who.anonymous ? std::string() : admitted->who.subject);
+                          admitted->who.anonymous ? std::string() : admitted->who.subject,
+                          room_capacity(*admitted->world, admitted->who, parts.peer.address));
     if (!client.ok()) return client.error();
     parts.metrics.set_subject(admitted->who.subject);
     parts.resume.set_holder({admitted->who, admitted->ticket, hello.spectator});
@@ -125,7 +131,16 @@ JoinedWorld::JoinedWorld(const Parts& parts, ClientId client,
 void JoinedWorld::enter(const Hello& hello, DisconnectedClient* lost, Clock::time_point now) {
     ASSERT(!has_entered_);
     has_entered_ = true;
+    if (host().properties().is_room)
+        host().mailbox().enter(
+            client_, room_entry(parts_.resume.who(), parts_.peer.address, hello.spectator));
     const FramePtr frame = snapshots_.on_enter();
+    host().mailbox().join(client_, {.name = has_control_character(hello.name)
+                                                ? printable(hello.name, player_name_bytes_max)
+                                                : hello.name,
+                                    .role = initial_role(hello.spectator),
+                                    .color = hello.color});
+    if (lost) snapshots_.resume_messages(lost->messages_at_entry, hello.resume->message);
     const auto removed =
         lost ? resume(*lost, hello.resume->frame, *frame->entity_list) : std::nullopt;
     Welcome message = welcome(*frame, now);

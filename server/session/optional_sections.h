@@ -33,6 +33,7 @@ public:
         const int clients = sessions_.clients_in(broadcast_.host().id());
         parts.fields += *broadcast_.world_stats(frame, static_cast<std::uint32_t>(clients));
     }
+    TrafficKind traffic_kind() const override { return TrafficKind::statistics; }
 
 private:
     const Clock::duration period_;
@@ -86,6 +87,8 @@ public:
     // Includes ticks up to the frame's, so that the client knows the entities of every event.
     void append(const FramePtr& frame, Clock::time_point now, SnapshotParts& parts) override;
 
+    TrafficKind traffic_kind() const override { return TrafficKind::events; }
+
     // Number of ticks with events, as RecentEvents counts them, that were sent or missed.
     std::uint32_t cursor() const { return cursor_; }
     void set_cursor(std::uint32_t cursor) { cursor_ = cursor; }
@@ -106,6 +109,7 @@ public:
     void on_enter(FrameListeners& listeners) override { listeners.controlled_entities++; }
     void on_leave(FrameListeners& listeners) override;
     void append(const FramePtr& frame, Clock::time_point now, SnapshotParts& parts) override;
+    TrafficKind traffic_kind() const override { return TrafficKind::results; }
 
 private:
     const ClientId client_;

@@ -26,7 +26,7 @@ struct Peer {
 
 // Refers to strings of the host.
 inline WorldTarget world_target(const WorldHost& host) {
-    return {host.id(), host.name(), host.properties().label.owner};
+    return {host.id(), host.name(), host.owner()};
 }
 
 }  // namespace jostle::server

@@ -19,19 +19,20 @@ void release_client(PlayContext& context, const DisconnectedClient& lost) {
 }
 
 Result<ClientId> acquire_client_id(PlayContext& context, const WorldHost& world,
-                                   const std::string& address, const std::string& subject) {
+                                   const std::string& address, const std::string& subject,
+                                   std::uint32_t world_max) {
     const std::string network = network_of(address);
     if (context.sessions.is_at_limit(subject))
         if (const auto lost = context.resume_registry.take_oldest_of(subject))
             release_client(context, *lost);
-    Result<ClientId> client = context.sessions.enter(world.id(), network, subject);
+    Result<ClientId> client = context.sessions.enter(world.id(), network, subject, world_max);
     if (client.ok()) return client;
     std::optional<DisconnectedClient> lost = context.resume_registry.take_oldest(network);
     if (!lost && context.sessions.clients() >= context.config.world.clients_max)
         lost = context.resume_registry.take_oldest({});
     if (!lost) return client;
     release_client(context, *lost);
-    return context.sessions.enter(world.id(), network, subject);
+    return context.sessions.enter(world.id(), network, subject, world_max);
 }
 
 void expect_resume(PlayContext& context, const std::shared_ptr<WorldHost>& world, ClientId client,

@@ -42,9 +42,10 @@ struct PlayContext {
 // Assigns an id to a new client. If the server or the client's network is full, the disconnected
 // client that was suspended first leaves to make room. Errors: there is no such client.
 // A suspended session of a subject that has its maximum of sessions leaves as well. `subject`:
-// empty for anonymous clients.
+// empty for anonymous clients. `world_max`: of the clients of the world; 0: no limit.
 Result<ClientId> acquire_client_id(PlayContext& context, const WorldHost& world,
-                                   const std::string& address, const std::string& subject = {});
+                                   const std::string& address, const std::string& subject = {},
+                                   std::uint32_t world_max = 0);
 
 // A disconnected client that was taken from the registry leaves the server and its world.
 void release_client(PlayContext& context, const DisconnectedClient& lost);

@@ -33,6 +33,7 @@ public:
         return has_pending_ && frame.tick >= last_tick_ + retry_ticks;
     }
     void append(const FramePtr& frame, Clock::time_point now, SnapshotParts& parts) override;
+    TrafficKind traffic_kind() const override { return TrafficKind::points; }
 
     // The client lost its state: each object is sent again.
     void reset() { known_.clear(); }

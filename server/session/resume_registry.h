@@ -49,6 +49,9 @@ struct DisconnectedClient {
     std::set<std::uint64_t> sent_geometry;
     std::uint64_t channel_kinds = 0;
     StreamPrecision precision = {};
+    // Number of user messages when the client first entered; nothing: it entered in an earlier
+    // process.
+    std::optional<std::uint32_t> messages_at_entry = {};
 
     // Another host continues the world: the snapshots that the client has are no longer baselines.
     void move_to(std::shared_ptr<BroadcastCache> replacement) {

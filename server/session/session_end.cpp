@@ -47,6 +47,13 @@ std::optional<SessionEnd> end_of_session(const SessionTimeouts& timeouts,
     }
     if (const auto why = metrics.kicked())
         return refused({ErrorCode::permission_denied, "an operator removed the client: " + *why});
+    if (joined->host().properties().is_room) {
+        const RoomView room = joined->host().frame()->room;
+        if (const RoomClient* const client = room->find(joined->client());
+            client && client->removed)
+            return refused({ErrorCode::permission_denied,
+                            "the client was removed from the room: " + client->removed_reason});
+    }
     // Without valid credentials the client may return with a new token; a banned one may not.
     if (Status s = resume.check_credentials(now); !s.ok())
         return refused(s.error(), s.error().code == ErrorCode::unauthenticated);

@@ -42,6 +42,7 @@ void SessionMetrics::entered(ClientIdentity who, WorldHost& world) {
 }
 
 void SessionMetrics::left() {
+    flush_traffic();
     if (client_ == 0) return;
     context_.connected_clients.remove(std::exchange(client_, 0));
     connected_client_ = nullptr;
@@ -62,9 +63,43 @@ void SessionMetrics::answered(std::span<const InputResult> results) {
 
 void SessionMetrics::sent(const OutMessage& message, Clock::time_point now) {
     if (connected_client_) connected_client_->count_sent(message.size(), now);
+    if (now < next_flush_) return;
+    next_flush_ = now + std::chrono::seconds(1);
+    flush_traffic();
 }
 
-void SessionMetrics::sent_snapshot(std::size_t bytes) {
+void SessionMetrics::sent_other(const OutMessage& message) {
+    const TrafficKind kind = message.shared ? TrafficKind::entities : TrafficKind::replies;
+    traffic_[static_cast<std::size_t>(kind)] += message.size();
+}
+
+void SessionMetrics::add_traffic(TrafficKind rest, std::size_t bytes, const TrafficBytes& traffic) {
+    for (std::size_t kind = 0; kind < traffic_kinds; kind++) {
+        ASSERT(traffic[kind] <= bytes);
+        traffic_[kind] += traffic[kind];
+        bytes -= traffic[kind];
+    }
+    traffic_[static_cast<std::size_t>(rest)] += bytes;
+}
+
+void SessionMetrics::flush_traffic() {
+    if (context_.metrics)
+        for (std::size_t kind = 0; kind < traffic_kinds; kind++)
+            if (traffic_[kind] > 0)
+                context_.metrics->sent_bytes[static_cast<TrafficKind>(kind)].Increment(
+                    static_cast<double>(traffic_[kind]));
+    traffic_ = {};
+}
+
+void SessionMetrics::sent_update(std::size_t bytes, const TrafficBytes& traffic) {
+    add_traffic(TrafficKind::results, bytes, traffic);
+}
+
+void SessionMetrics::sent_snapshot(std::size_t bytes, std::size_t channels,
+                                   const TrafficBytes& traffic) {
+    TrafficBytes parts = traffic;
+    parts[static_cast<std::size_t>(TrafficKind::channels)] += channels;
+    add_traffic(TrafficKind::poses, bytes, parts);
     if (!context_.metrics) return;
     context_.metrics->snapshots_sent.Increment();
     context_.metrics->snapshot_bytes.Increment(static_cast<double>(bytes));

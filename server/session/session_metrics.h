@@ -14,6 +14,7 @@
 #include "server/messages/out_message.h"
 #include "server/session/play_context.h"
 #include "server/session/snapshot_schedule.h"
+#include "server/session/snapshot_section.h"
 #include "server/world/command.h"
 #include "server/world/world_host.h"
 
@@ -33,7 +34,12 @@ public:
 
     void answered(std::span<const InputResult> results);
     void sent(const OutMessage& message, Clock::time_point now);
-    void sent_snapshot(std::size_t bytes);
+    // A message from the outbox.
+    void sent_other(const OutMessage& message);
+    // `channels`, `traffic`: the parts of the bytes that are no poses.
+    void sent_snapshot(std::size_t bytes, std::size_t channels, const TrafficBytes& traffic);
+    // A snapshot without poses, which follow as a datagram.
+    void sent_update(std::size_t bytes, const TrafficBytes& traffic);
     // The poses of a frame were encoded.
     void encoded_snapshot();
     // After each frame.
@@ -44,6 +50,8 @@ public:
 
 private:
     void count_in_class(std::optional<int> number);
+    void add_traffic(TrafficKind rest, std::size_t bytes, const TrafficBytes& traffic);
+    void flush_traffic();
 
     struct Skips {
         std::uint32_t window = 0, pending = 0, rate = 0, encodings = 0;
@@ -56,6 +64,9 @@ private:
     WorldMetrics* world_ = nullptr;
     Skips counted_;
     std::optional<int> counted_class_;  // the cadence class that counts this client
+    // Not added to the metrics yet: all sessions share the counters.
+    TrafficBytes traffic_{};
+    Clock::time_point next_flush_{};
 };
 
 }  // namespace jostle::server

@@ -4,12 +4,15 @@
 // its client requested, so that idle clients cost little memory. Used on the session's thread.
 #pragma once
 
+#include <array>
+#include <cstddef>
 #include <cstdint>
 #include <string>
 #include <vector>
 
 #include "server/messages/out_message.h"
 #include "server/messages/server_message.h"
+#include "server/metrics/metrics.h"
 #include "server/util/clock.h"
 #include "server/world/frame.h"
 #include "server/world/frame_publisher.h"
@@ -23,7 +26,16 @@ struct SnapshotParts {
     std::uint64_t channel_kinds = 0;  // one bit per channel kind of the shared part
     bool has_poses = true;            // false: cells replace the poses of the shared part
     std::vector<SharedBytes> shared_fields{};  // of jostle.v1.Snapshot, shared with other clients
+
+    std::size_t size() const {
+        std::size_t bytes = fields.size();
+        for (const SharedBytes& field : shared_fields) bytes += field->size();
+        return bytes;
+    }
 };
+
+// Bytes by TrafficKind.
+using TrafficBytes = std::array<std::size_t, traffic_kinds>;
 
 class SnapshotSection {
 public:
@@ -40,6 +52,8 @@ public:
     virtual void append(const FramePtr& frame, Clock::time_point now, SnapshotParts& parts) = 0;
     // The complete snapshot was passed to the transport.
     virtual void on_sent(const OutMessage&) {}
+    // How the bytes of append() are counted.
+    virtual TrafficKind traffic_kind() const { return TrafficKind::poses; }
 };
 
 }  // namespace jostle::server

@@ -35,6 +35,13 @@ SnapshotSections::SnapshotSections(const Sources& sources, const Hello& hello)
     add<StatsSection>(sources.context.config.stream, sources.context.sessions, sources.broadcast);
     if (hello.events) events_ = add<EventsSection>(sources.broadcast);
     if (hello.joints) add<JointsSection>(sources.broadcast);
+    if (hello.players)
+        players_ = add<PlayersSection>(sources.broadcast, sources.context.connected_clients);
+    if (hello.attributes)
+        attributes_ = add<AttributesSection>(sources.broadcast, sources.client,
+                                             initial_role(hello.spectator));
+    if (!hello.topics.empty())
+        messages_ = add<MessagesSection>(sources.broadcast, sources.client, hello.topics);
     if (predicts) add<ControlledEntitySection>(sources.client, host.hz());
     optional_.shrink_to_fit();
 }
@@ -56,8 +63,14 @@ bool SnapshotSections::has_changes(const Frame& frame) const {
 }
 
 void SnapshotSections::append_optional(const FramePtr& frame, Clock::time_point now,
-                                       SnapshotParts& parts) {
-    for (const auto& section : optional_) section->append(frame, now, parts);
+                                       SnapshotParts& parts, TrafficBytes& traffic) {
+    std::size_t before = parts.size();
+    for (const auto& section : optional_) {
+        section->append(frame, now, parts);
+        const std::size_t after = parts.size();
+        traffic[static_cast<std::size_t>(section->traffic_kind())] += after - before;
+        before = after;
+    }
 }
 
 void SnapshotSections::on_sent(const OutMessage& snapshot) {

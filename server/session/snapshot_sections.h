@@ -10,6 +10,7 @@
 
 #include "server/messages/client_message.h"
 #include "server/session/cells_section.h"
+#include "server/session/data_sections.h"
 #include "server/session/entity_stream.h"
 #include "server/session/input_intake.h"
 #include "server/session/optional_sections.h"
@@ -40,13 +41,18 @@ public:
     bool has_changes(const Frame& frame) const;
     // Appends every section except the client update, which the caller appends last, if it sends
     // the message.
-    void append_optional(const FramePtr& frame, Clock::time_point now, SnapshotParts& parts);
+    // Adds the appended bytes to `traffic`.
+    void append_optional(const FramePtr& frame, Clock::time_point now, SnapshotParts& parts,
+                         TrafficBytes& traffic);
     void on_sent(const OutMessage& snapshot);
 
     ClientUpdateSection& client_update() { return client_update_; }
-    EventsSection* events() { return events_; }  // null: not requested
-    CellsSection* cells() { return cells_; }     // null: not requested
-    PointsSection* points() { return points_; }  // null: not requested
+    EventsSection* events() { return events_; }              // null: not requested
+    CellsSection* cells() { return cells_; }                 // null: not requested
+    PointsSection* points() { return points_; }              // null: not requested
+    PlayersSection* players() { return players_; }           // null: not requested
+    AttributesSection* attributes() { return attributes_; }  // null: not requested
+    MessagesSection* messages() { return messages_; }        // null: not requested
     const CellsSection* cells() const { return cells_; }
     std::uint64_t channel_kinds() const { return channels_ ? channels_->kinds() : 0; }
 
@@ -61,6 +67,9 @@ private:
     PointsSection* points_ = nullptr;
     ChannelsSection* channels_ = nullptr;
     EventsSection* events_ = nullptr;
+    PlayersSection* players_ = nullptr;
+    AttributesSection* attributes_ = nullptr;
+    MessagesSection* messages_ = nullptr;
 };
 
 }  // namespace jostle::server

@@ -54,6 +54,9 @@ FramePtr SnapshotStream::on_enter() {
     FramePtr frame = host.frame();
     events_at_entry_ = frame->events->count;
     if (EventsSection* const events = sections_.events()) events->set_cursor(events_at_entry_);
+    messages_at_entry_ = frame->messages->count;
+    if (MessagesSection* const messages = sections_.messages())
+        messages->set_cursor(messages_at_entry_);
     return frame;
 }
 
@@ -69,6 +72,7 @@ std::optional<OutMessage> SnapshotStream::take_message(Clock::time_point now) {
     if (!has_cells() && send_entity_list(frame)) {
         if (std::optional<OutMessage> update = parts_.outbox.pop()) {
             on_other_sent();
+            parts_.metrics.sent_other(*update);
             return update;
         }
     }
@@ -138,7 +142,8 @@ std::optional<OutMessage> SnapshotStream::make_snapshot(const FramePtr& frame,
                                      : encode(frame, baselines_);
     if (!shared) return std::nullopt;
     SnapshotParts parts;
-    sections_.append_optional(frame, now, parts);
+    TrafficBytes traffic{};
+    sections_.append_optional(frame, now, parts, traffic);
     sections_.client_update().append(frame, now, parts);
     ASSERT(parts.has_poses == !has_cells());
     ASSERT(parts.channel_kinds == sections_.channel_kinds());
@@ -152,14 +157,17 @@ std::optional<OutMessage> SnapshotStream::make_snapshot(const FramePtr& frame,
     measure_send_delay(*frame, now);
     schedule_.on_sent(frame->tick, now);
     sections_.on_sent(message);
-    parts_.metrics.sent_snapshot(message.size());
+    const std::size_t channels =
+        parts.channel_kinds != 0 && message.shared ? channels_size(*message.shared) : 0;
+    parts_.metrics.sent_snapshot(message.size(), channels, traffic);
     return message;
 }
 
 // Nothing: there is no data that must not be lost.
 std::optional<OutMessage> SnapshotStream::make_reply(const FramePtr& frame, Clock::time_point now) {
     SnapshotParts parts;
-    sections_.append_optional(frame, now, parts);
+    TrafficBytes traffic{};
+    sections_.append_optional(frame, now, parts, traffic);
     if (parts.fields.empty() && parts.shared_fields.empty() && parts_.inputs.results().empty())
         return std::nullopt;
     sections_.client_update().append(frame, now, parts);
@@ -168,6 +176,7 @@ std::optional<OutMessage> SnapshotStream::make_reply(const FramePtr& frame, Cloc
     OutMessage message{encode_snapshot_header(parts.update, parts.fields, shared_bytes), nullptr,
                        std::move(parts.shared_fields)};
     on_results_sent(frame->tick);
+    parts_.metrics.sent_update(message.size(), traffic);
     return message;
 }
 
@@ -190,6 +199,8 @@ void SnapshotStream::on_ack(const Ack& ack, Clock::time_point now) {
     if (datagrams_) datagrams_->frames().reset();
     if (sections_.cells()) sections_.cells()->reset();
     if (sections_.points()) sections_.points()->reset();
+    if (sections_.players()) sections_.players()->send_complete();
+    if (sections_.attributes()) sections_.attributes()->send_complete();
 }
 
 Status SnapshotStream::set_interest(const Interest& interest) {
@@ -234,7 +245,7 @@ void SnapshotStream::on_sent_by_datagram(const OutMessage& snapshot, const Frame
     measure_send_delay(frame, now);
     schedule_.on_sent(frame.tick, now);
     parts_.metrics.sent(snapshot, now);
-    parts_.metrics.sent_snapshot(snapshot.size());
+    parts_.metrics.sent_snapshot(snapshot.size(), 0, {});
 }
 
 void SnapshotStream::suspend(DisconnectedClient& client) {
@@ -244,6 +255,16 @@ void SnapshotStream::suspend(DisconnectedClient& client) {
     client.sent_geometry = entities_.take_geometry();
     client.channel_kinds = sections_.channel_kinds();
     client.precision = poses().precision();
+    client.messages_at_entry = messages_at_entry_;
+}
+
+// A client of an earlier process that names no message continues with the next one.
+void SnapshotStream::resume_messages(std::optional<std::uint32_t> first,
+                                     std::uint32_t last_received) {
+    const std::uint32_t count = messages_at_entry_;
+    messages_at_entry_ = std::min(first.value_or(last_received == 0 ? count : 0), count);
+    if (MessagesSection* const messages = sections_.messages())
+        messages->set_cursor(std::clamp(last_received, messages_at_entry_, count));
 }
 
 bool SnapshotStream::resume(DisconnectedClient& lost, SentLog::Known& known, std::uint32_t frame) {

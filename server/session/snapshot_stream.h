@@ -79,6 +79,9 @@ public:
     // Moves the state of the stream out, and back in. `known`: what the client has after `frame`.
     void suspend(DisconnectedClient& client);
     bool resume(DisconnectedClient& lost, SentLog::Known& known, std::uint32_t frame);
+    // Continues the user messages after the last one that the client received (0: none). `first`:
+    // DisconnectedClient::messages_at_entry.
+    void resume_messages(std::optional<std::uint32_t> first, std::uint32_t last_received);
 
 private:
     void on_frame(const Frame& frame, Clock::time_point now);
@@ -98,7 +101,8 @@ private:
     EntityStream entities_;
     SnapshotSchedule schedule_;
     SnapshotSections sections_;
-    std::uint32_t events_at_entry_ = 0;  // number of ticks with events when the client entered
+    std::uint32_t events_at_entry_ = 0;    // number of ticks with events when the client entered
+    std::uint32_t messages_at_entry_ = 0;  // number of user messages when the client first entered
     Clock::time_point keyframe_requested_{};
 };
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/session/world_admission.h"
 
+#include "server/session/room_admission.h"
 #include "server/util/text.h"
 
 namespace jostle::server {
@@ -27,6 +28,8 @@ Result<AdmittedClient> admit_by_ticket(PlayContext& context, const Peer& peer, c
     Result<std::shared_ptr<WorldHost>> world = find_world(context, entry.world_id);
     if (!world.ok()) return world.error();
     if (Status s = check_play_access(context, peer, hello, entry.who, **world); !s.ok())
+        return s.error();
+    if (Status s = check_room_access(**world, entry.who, peer.address, {}, true); !s.ok())
         return s.error();
     return AdmittedClient{*std::move(world), entry.who, Tickets::digest(hello.ticket)};
 }
@@ -57,6 +60,8 @@ Result<AdmittedClient> admit_by_token(PlayContext& context, const Peer& peer, co
     const AccessRequest request{peer.call, world_target(**world), peer.address};
     if (Status s = context.authorizer.admit(*who, request); !s.ok()) return s.error();
     if (Status s = check_play_access(context, peer, hello, *who, **world); !s.ok())
+        return s.error();
+    if (Status s = check_room_access(**world, *who, peer.address, hello.join_code, false); !s.ok())
         return s.error();
     return AdmittedClient{*std::move(world), *std::move(who), {}};
 }

@@ -72,13 +72,14 @@ public:
 
     bool ok() const { return ok_; }
     bool at_end() const { return bytes_.empty(); }
-
-private:
+    // A value that was read is invalid.
     std::uint64_t fail() {
         ok_ = false;
         bytes_ = {};
         return 0;
     }
+
+private:
     std::uint8_t next() {
         if (bytes_.empty()) return static_cast<std::uint8_t>(fail());
         const auto byte = static_cast<std::uint8_t>(bytes_.front());

@@ -9,7 +9,9 @@
 #include <atomic>
 #include <cerrno>
 #include <csignal>
+#include <deque>
 #include <memory>
+#include <mutex>
 
 #include "jostle/base/check.h"
 #include "server/util/text.h"
@@ -45,25 +47,44 @@ std::string json_string(const std::string& text) {
     return out + '"';
 }
 
-// Used by the writing thread only; close_soon() and dropped() by any thread.
+// Used by the writing thread only; close_soon(), dropped() and tail() by any thread.
 class LineWriter final : public spdlog::sinks::base_sink<spdlog::details::null_mutex> {
 public:
     LineWriter(int descriptor, bool json) : descriptor_(descriptor), json_(json) {}
 
     void close_soon() { closing_ = true; }
     std::uint64_t dropped() const { return dropped_; }
+    // Any thread.
+    std::vector<LogLine> tail(std::uint64_t after) const {
+        const std::lock_guard lock(tail_mutex_);
+        std::vector<LogLine> lines;
+        for (const LogLine& line : tail_)
+            if (line.number > after) lines.push_back(line);
+        return lines;
+    }
 
 protected:
     void sink_it_(const spdlog::details::log_msg& message) override {
         const std::string_view level(spdlog::level::to_string_view(message.level).data(),
                                      spdlog::level::to_string_view(message.level).size());
         const std::string_view text(message.payload.data(), message.payload.size());
+        remember(message.time, level, text);
         report_drops(message.time);
         if (!write(line(message.time, level, text))) dropped_++;
     }
     void flush_() override {}
 
 private:
+    void remember(spdlog::log_clock::time_point at, std::string_view level,
+                  std::string_view message) {
+        LogLine line{.number = ++lines_,
+                     .time = time_of(at, true),
+                     .level = std::string(level),
+                     .text = printable(message, json_message_bytes_max)};
+        const std::lock_guard lock(tail_mutex_);
+        tail_.push_back(std::move(line));
+        if (tail_.size() > log_tail_lines) tail_.pop_front();
+    }
     std::string line(spdlog::log_clock::time_point at, std::string_view level,
                      std::string_view message) const {
         if (!json_)
@@ -100,6 +121,9 @@ private:
     std::atomic<bool> closing_{false};
     std::atomic<std::uint64_t> dropped_{0};
     std::uint64_t reported_drops_ = 0;
+    std::uint64_t lines_ = 0;
+    mutable std::mutex tail_mutex_;
+    std::deque<LogLine> tail_;
 };
 
 std::shared_ptr<LineWriter> writer;
@@ -129,6 +153,10 @@ void stop_log() {
     spdlog::set_default_logger(std::make_shared<spdlog::logger>(
         "late", std::make_shared<LineWriter>(STDOUT_FILENO, false)));
     spdlog::details::registry::instance().set_tp(nullptr);
+}
+
+std::vector<LogLine> log_tail(std::uint64_t after) {
+    return writer ? writer->tail(after) : std::vector<LogLine>();
 }
 
 std::uint64_t log_lines_dropped() {

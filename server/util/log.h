@@ -14,6 +14,7 @@
 #include <cstdint>
 #include <string>
 #include <utility>
+#include <vector>
 
 namespace jostle::server {
 
@@ -30,6 +31,16 @@ void start_log(const LogSettings& settings);
 void stop_log();
 // Lines dropped since start_log().
 std::uint64_t log_lines_dropped();
+
+struct LogLine {
+    std::uint64_t number = 0;  // counts the lines from 1
+    std::string time;          // RFC 3339 in UTC
+    std::string level, text;
+};
+// The newest lines after line `after`, oldest first, of the last `log_tail_lines`. Empty before
+// start_log(). Any thread.
+inline constexpr std::size_t log_tail_lines = 500;
+std::vector<LogLine> log_tail(std::uint64_t after);
 
 template <class... Args>
 void log_debug(spdlog::format_string_t<Args...> format, Args&&... args) {

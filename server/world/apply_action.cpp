@@ -189,13 +189,65 @@ struct Apply {
         state.ownership.forget(client);
         state.grabs.release(state.world, client);
         state.controllers.release(state.world, client);
+        if (state.players.leave(client))
+            state.attributes.remove({AttributeTargetKind::player, client});
+        return {};
+    }
+
+    Status operator()(const JoinCommand& c) const {
+        state.players.join({.client = client,
+                            .name = c.name,
+                            .role = c.role,
+                            .color = c.color,
+                            .joined_tick = c.tick});
+        return {};
+    }
+
+    Status operator()(const RenameCommand& c) const { return state.players.rename(client, c.name); }
+
+    Status operator()(const SetRoleCommand& c) const {
+        if (client != scene_client && state.players.role_of(client) != PlayerRole::owner)
+            return refused(ErrorCode::permission_denied,
+                           "only the server and players with the role owner change roles");
+        return state.players.set_role(c.player, c.role);
+    }
+
+    Status operator()(const SetAttributesCommand& c) const {
+        const Result<ClientId> owner = owner_of(c.target);
+        if (!owner.ok()) return owner.error();
+        if (c.target.kind == AttributeTargetKind::entity) affected = c.target.id;
+        if (!may_set_attributes(c.target))
+            return refused(ErrorCode::permission_denied,
+                           "a client with the role " +
+                               std::string(name_of(state.players.role_of(client))) +
+                               " cannot set attributes of " + describe(c.target));
+        return state.attributes.set(c.target, *owner, client, c.changes, state.limits.attributes);
+    }
+
+    Status operator()(const SendMessageCommand& c) const {
+        for (const ClientId to : c.to)
+            if (!state.players.find(to))
+                return refused(ErrorCode::not_found,
+                               "player " + std::to_string(to) + " does not exist");
+        state.messages.add({.from = client,
+                            .topic = c.topic,
+                            .data = c.data,
+                            .to = c.to,
+                            .to_server = c.to_server});
         return {};
     }
 
     Status operator()(const DisconnectCommand&) const {
+        state.players.disconnect(client);
         state.grabs.release(state.world, client);
         static_cast<void>(state.controllers.control(state.world, client, {}));
         return {};
+    }
+
+    // The rules of a room apply them (room.h).
+    Status operator()(const RoomCommand&) const {
+        return refused(ErrorCode::permission_denied,
+                       "the world has no room; create it with room settings");
     }
 
 private:
@@ -206,6 +258,28 @@ private:
             return refused(ErrorCode::not_found,
                            "the world has no deformable objects of the module " + target.module);
         return use(*deformables, modules::DeformablePoint{target.object, target.element});
+    }
+
+    // The client that owns the target; 0: no client.
+    Result<ClientId> owner_of(const AttributeTarget& target) const {
+        if (target.kind == AttributeTargetKind::world) return scene_client;
+        if (target.kind == AttributeTargetKind::player) {
+            if (!state.players.find(target.id))
+                return refused(ErrorCode::not_found, describe(target) + " does not exist");
+            return target.id;
+        }
+        const Entity* const entity = state.entities.find(target.id);
+        if (!entity) return no_such_entity(target.id);
+        return entity->description->owner;
+    }
+
+    bool may_set_attributes(const AttributeTarget& target) const {
+        if (client == scene_client) return true;
+        const PlayerRole role = state.players.role_of(client);
+        if (role == PlayerRole::owner) return true;
+        if (target.kind == AttributeTargetKind::player) return target.id == client;
+        if (target.kind == AttributeTargetKind::world) return false;
+        return role == PlayerRole::builder || state.ownership.owns(client, target.id);
     }
 
     bool has_too_many_overlaps(const SpawnCommand& c) const {
@@ -242,6 +316,7 @@ void forget_entity(HostedState& state, EntityId id) {
     state.grabs.release_body(state.world, body);
     state.controllers.release_body(state.world, body);
     state.ownership.remove(id);
+    state.attributes.remove({AttributeTargetKind::entity, id});
     state.entities.remove(id);
 }
 

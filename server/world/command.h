@@ -17,6 +17,9 @@
 #include "jostle/physics/defs.h"
 #include "jostle/physics/module.h"
 #include "server/util/clock.h"
+#include "server/world/attribute.h"
+#include "server/world/player_role.h"
+#include "server/world/room_command.h"
 
 namespace jostle::server {
 
@@ -110,9 +113,51 @@ struct LeaveCommand {
 // controls on its controlled entity. Has no sequence number.
 struct DisconnectCommand {};
 
+// The client joined, or resumed after its connection broke. Has no sequence number.
+struct JoinCommand {
+    std::string name;
+    PlayerRole role = PlayerRole::player;
+    std::optional<std::uint32_t> color = {};  // 0xRRGGBB
+    std::uint32_t tick = 0;                   // in which it is applied
+};
+struct RenameCommand {
+    std::string name;
+};
+struct SetRoleCommand {
+    ClientId player = 0;
+    PlayerRole role = PlayerRole::player;
+};
+struct SetAttributesCommand {
+    AttributeTarget target;
+    std::vector<AttributeChange> changes;
+};
+// Sends a user message (user_messages.h).
+struct SendMessageCommand {
+    std::string topic, data;
+    std::vector<ClientId> to = {};  // empty: all clients, unless to_server
+    bool to_server = false;         // to the server alone
+};
+
 using Action = std::variant<SpawnCommand, ImpulseCommand, GrabCommand, DragCommand, ReleaseCommand,
                             DeleteCommand, ExplodeCommand, PossessCommand, ControlCommand,
-                            LeaveCommand, DisconnectCommand, CutCommand>;
+                            LeaveCommand, DisconnectCommand, CutCommand, JoinCommand, RenameCommand,
+                            SetRoleCommand, SetAttributesCommand, SendMessageCommand, RoomCommand>;
+
+// Inputs that do not change bodies; they are also applied while the world is paused.
+inline bool is_data_command(const Action& action) {
+    return std::holds_alternative<RenameCommand>(action) ||
+           std::holds_alternative<SetAttributesCommand>(action) ||
+           std::holds_alternative<SendMessageCommand>(action);
+}
+
+// The server sends these commands about a client; they have no sequence number.
+inline bool is_session_command(const Action& action) {
+    const auto* const about_room = std::get_if<RoomCommand>(&action);
+    return std::holds_alternative<LeaveCommand>(action) ||
+           std::holds_alternative<DisconnectCommand>(action) ||
+           std::holds_alternative<JoinCommand>(action) ||
+           (about_room && std::holds_alternative<EnterRoom>(about_room->kind));
+}
 
 // The outcome of one input.
 struct InputResult {

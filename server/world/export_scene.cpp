@@ -49,6 +49,7 @@ public:
         scene.hz = origin_.hz;
         scene.precision = origin_.precision;
         scene.view = origin_.view;
+        scene.room = origin_.room;
         scene.world = origin_.world;
         scene.world.gravity = world_.gravity();
         scene.world.joint_solver = world_.joint_solver();

@@ -14,12 +14,16 @@
 
 #include "jostle/physics/world.h"
 #include "server/util/clock.h"
+#include "server/world/attributes.h"
 #include "server/world/command.h"
 #include "server/world/joint_list.h"
 #include "server/world/module_channels.h"
+#include "server/world/players.h"
 #include "server/world/pose_grid.h"
 #include "server/world/pose_list.h"
+#include "server/world/room_state.h"
 #include "server/world/tick_events.h"
+#include "server/world/user_messages.h"
 
 namespace jostle::server {
 
@@ -75,6 +79,12 @@ struct Frame {
     std::shared_ptr<const std::vector<ControlledEntityState>> controlled_entities;
     // While a client subscribes to joints; null: none does.
     std::shared_ptr<const JointList> joint_list;
+    RoomView room;  // null: the world is no room
+    // Never null in the frames of a hosted world. Equal pointers mean equal content.
+    PlayerListPtr players;
+    AttributeTablePtr attributes;
+    RecentMessagesPtr messages;
+    bool has_new_data = false;  // one of the three differs from that of the previous frame
     int awake = 0, contacts = 0;
     double step_ms = 0;                        // of this tick, solver only
     double tick_ms_mean = 0, tick_ms_max = 0;  // of whole ticks, over the last second

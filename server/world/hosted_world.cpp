@@ -2,6 +2,7 @@
 #include "server/world/hosted_world.h"
 
 #include <algorithm>
+#include <set>
 #include <string>
 #include <utility>
 
@@ -57,9 +58,24 @@ Result<HostedWorld> HostedWorld::restore(World world, const SavedHostState& host
     state.ownership.restore(host_state);
     state.grabs.restore(host_state);
     state.controllers.restore(host_state);
+    state.players.restore(host_state);
+    for (const SavedHostState::SavedAttribute& saved : host_state.attributes) {
+        const auto& [kind, id] = saved.target;
+        const bool exists = kind == AttributeTargetKind::entity ? state.entities.find(id) != nullptr
+                            : kind == AttributeTargetKind::player
+                                ? state.players.find(id) != nullptr
+                                : id == 0;
+        if (!exists)
+            return Error{ErrorCode::corrupt_data, "corrupt host state: attribute \"" + saved.key +
+                                                      "\" of " + describe(saved.target) +
+                                                      ", which does not exist"};
+    }
+    if (Status s = state.attributes.restore(host_state); !s.ok()) return s.error();
+    state.messages.set_count(host_state.messages);
     for (const SavedHostState::ProcessedInput& input : host_state.processed)
         hosted.last_sequences_[input.client] = input.sequence;
     hosted.quarantined_.insert(host_state.quarantined.begin(), host_state.quarantined.end());
+    hosted.set_room(host_state.room);
     hosted.ids_ = {host_state.scene_bodies, host_state.scene_joints};
     // Only after recovery from a portable checkpoint: its modules created their bodies again.
     sync_module_entities(state, hosted.bodies_);
@@ -78,14 +94,42 @@ SavedHostState HostedWorld::host_state(std::uint32_t tick) const {
     state_.ownership.write(host_state);
     state_.grabs.write(host_state);
     state_.controllers.write(host_state);
+    state_.players.write(host_state);
+    state_.attributes.write(host_state);
+    host_state.messages = state_.messages.count();
     for (const auto& [client, sequence] : last_sequences_)
         host_state.processed.push_back({client, sequence});
+    if (room_) host_state.room = room_->state();
     return host_state;
 }
 
+void HostedWorld::set_room(std::optional<RoomState> room) {
+    room_ = room ? std::make_unique<Room>(*std::move(room), hz_) : nullptr;
+}
+
+Status HostedWorld::apply_to_room(RoomCommand command) {
+    if (!room_)
+        return Error{ErrorCode::failed_precondition,
+                     "the world has no room; create it with room settings"};
+    InputResult ignored;
+    return apply_and_record({.client = scene_client, .action = std::move(command), .reply = {}},
+                            ignored);
+}
+
 void HostedWorld::continue_from(const HostedWorld& later) {
+    if (later.room_) set_room(later.room_->state());
     last_sequences_ = later.last_sequences_;
     state_.entities.skip_ids_of(later.state_.entities);
+    state_.messages.set_count(std::max(state_.messages.count(), later.state_.messages.count()));
+}
+
+std::uint64_t HostedWorld::data_hash() const {
+    SavedHostState data;
+    state_.players.write(data);
+    state_.attributes.write(data);
+    data.messages = state_.messages.count();
+    if (room_) data.room = room_->state();
+    return server::data_hash(data);
 }
 
 void HostedWorld::release_all_clients() {
@@ -119,9 +163,8 @@ Status HostedWorld::accept_sequence(ClientId client, std::uint32_t sequence) {
 InputResult HostedWorld::apply(const Command& command, std::uint32_t tick) {
     InputResult result{.sequence = command.sequence, .tick = tick};
     const bool is_leave = std::holds_alternative<LeaveCommand>(command.action);
-    const bool has_sequence =
-        !is_leave && !std::holds_alternative<DisconnectCommand>(command.action);
-    if (has_sequence) result.status = accept_sequence(command.client, command.sequence);
+    if (!is_session_command(command.action))
+        result.status = accept_sequence(command.client, command.sequence);
     if (result.status.ok()) result.status = apply_and_record(command, result);
     if (is_leave) last_sequences_.erase(command.client);
     return result;
@@ -150,7 +193,12 @@ Status HostedWorld::apply_and_record(const Command& command, InputResult& result
     if (journal_enabled_)
         journal_.push_back({command.client, command.sequence,
                             status.ok() ? std::optional(*action) : std::nullopt});
-    return status.ok() ? apply_action(state_, command.client, *action, result.entity) : status;
+    return status.ok() ? apply_by_rules(command.client, *action, result.entity) : status;
+}
+
+Status HostedWorld::apply_as_server(const Action& action) {
+    InputResult result;
+    return apply_and_record({.client = scene_client, .action = action, .reply = {}}, result);
 }
 
 void HostedWorld::remove_entities(std::span<const EntityId> entities) {
@@ -183,13 +231,14 @@ EntityId HostedWorld::replay(const JournaledCommand& command, EntityId spawned) 
     const EntityId next = entities.next_id();
     const bool has_id = spawned != 0 && !entities.find(spawned);
     if (has_id) entities.set_next_id(spawned);
-    static_cast<void>(apply_action(state_, command.client, *command.action, affected).ok());
+    static_cast<void>(apply_by_rules(command.client, *command.action, affected).ok());
     if (has_id) entities.set_next_id(std::max(next, spawned + 1));
     return affected;
 }
 
 Status HostedWorld::step(double dt, std::uint32_t tick) {
     ASSERT(dt > 0 && tick > 0);
+    if (room_) room_->on_step();
     Status stepped = state_.world.step(dt);
     if (!stepped.ok()) return stepped;
     sync_module_entities(state_, bodies_);
@@ -222,7 +271,20 @@ QueryFramePtr HostedWorld::query_frame(std::uint32_t tick, CopyLayers layers) {
     frame->entity_list = state_.entities.list();
     frame->shape_owners = state_.entities.shape_owners();
     copy_layers(*frame, state_.world, state_.entities.by_body());
+    // Points are published in steps.
+    if (!channels_.publishes_points()) frame->layers &= ~copy_points;
+    if (frame->layers & copy_points) copy_points_into(*frame);
     return frame;
+}
+
+void HostedWorld::copy_points_into(QueryFrame& frame) const {
+    frame.points = channels_.points();
+    std::set<EntityId> carriers;
+    for (const auto& state : *frame.points) carriers.insert(state->object->entity);
+    for (const EntityId id : carriers)
+        if (const Entity* const entity = state_.entities.find(id); entity != nullptr)
+            if (const auto body = state_.world.body(entity->body); body.ok())
+                frame.carriers.push_back({id, body->awake, body->pose});
 }
 
 // A body that neither is awake nor was awake in the last frame has not moved, unless the static
@@ -253,6 +315,18 @@ void HostedWorld::copy_poses(bool all) {
         poses_.set(index_of_body_[body.id.index], body.pose, body.awake);
 }
 
+void HostedWorld::copy_data_into(Frame& frame) {
+    frame.players = state_.players.publish(frame.tick);
+    frame.attributes = state_.attributes.publish(frame.tick);
+    frame.messages = state_.messages.publish(frame.tick);
+    frame.has_new_data = frame.players != published_players_ ||
+                         frame.attributes != published_attributes_ ||
+                         frame.messages != published_messages_;
+    published_players_ = frame.players;
+    published_attributes_ = frame.attributes;
+    published_messages_ = frame.messages;
+}
+
 void HostedWorld::copy_into(Frame& frame) {
     const World& world = state_.world;
     const bool list_changed = entity_list_ != state_.entities.list();
@@ -272,6 +346,7 @@ void HostedWorld::copy_into(Frame& frame) {
     frame.entity_list = entity_list_ = state_.entities.list();
     ASSERT(frame.entities.size() == frame.entity_list->size());
     frame.previous_changed_at = changed_at_;
+    copy_data_into(frame);
     if (moved || list_changed || published_channels_ != channels_.channels() ||
         published_points_ != channels_.points())
         changed_at_ = frame.tick;
@@ -289,6 +364,7 @@ void HostedWorld::copy_into(Frame& frame) {
     if (publishes_joints_)
         frame.joint_list =
             joints_.list(world, [this](BodyId body) { return state_.entities.find_living(body); });
+    if (room_) frame.room = room_->view();
     frame.contacts = world.profile().touching;
     frame.step_ms = world.profile().step_ms;
 }

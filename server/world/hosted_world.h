@@ -21,6 +21,7 @@
 #include "server/world/joint_list.h"
 #include "server/world/module_channels.h"
 #include "server/world/query_frame.h"
+#include "server/world/room.h"
 #include "server/world/saved_host_state.h"
 
 namespace jostle::server {
@@ -38,8 +39,24 @@ public:
     // The state beyond the bodies after `tick`, the last step.
     SavedHostState host_state(std::uint32_t tick) const;
 
-    // Replaces `later`, a later state of the same world: keeps its sequence numbers and never
-    // assigns its entity ids again.
+    // From now on the world is a room, or is none. Before its first tick in this process.
+    void set_room(std::optional<RoomState> room);
+    // Null: the world is no room.
+    const Room* room() const { return room_.get(); }
+    // Whether the client may send messages to other clients now (Room::may_send_message()). A world
+    // without a room does not restrict messages.
+    Status may_send_message(ClientId client) const {
+        return room_ ? room_->may_send_message(client) : Status();
+    }
+    // Applies a decision of the host, which the rules of the room do not restrict, and journals it.
+    // failed_precondition: the world is no room.
+    Status apply_to_room(RoomCommand command);
+    Room::Requests take_room_requests() {
+        return room_ ? room_->take_requests() : Room::Requests();
+    }
+
+    // Replaces `later`, a later state of the same world: keeps its sequence numbers and the
+    // decisions of its room, and never assigns its entity ids again.
     void continue_from(const HostedWorld& later);
     // Removes all clients and retains their bodies.
     void release_all_clients();
@@ -55,7 +72,11 @@ public:
     void remove_entities(std::span<const EntityId> entities);
     // Removes the bodies that the client spawned and returns their number.
     std::size_t remove_bodies_of(ClientId client);
-    // apply(), refuse() and remove_entities() record commands for take_journal() from now on.
+    // Applies an action of the server between two ticks or before a step; it is recorded like an
+    // input. For embedders and administrators: attributes, roles, messages.
+    Status apply_as_server(const Action& action);
+    // apply(), refuse(), apply_as_server() and remove_entities() record commands for take_journal()
+    // from now on.
     void enable_journal() { journal_enabled_ = true; }
     // Returns the commands that were applied since the previous call.
     std::vector<JournaledCommand> take_journal() { return std::exchange(journal_, {}); }
@@ -101,6 +122,15 @@ public:
 
     const physics::World& world() const { return state_.world; }
     const Ownership& ownership() const { return state_.ownership; }
+    const Players& players() const { return state_.players; }
+    const Attributes& attributes() const { return state_.attributes; }
+    // The newest user messages, also those to the server alone, as of the last copy_into().
+    const RecentMessagesPtr& messages() const { return published_messages_; }
+    // Number of user messages that were sent in this world.
+    std::uint32_t message_count() const { return state_.messages.count(); }
+    // A hash of the players and attributes. The bodies have a hash of their own
+    // (physics::state_hash).
+    std::uint64_t data_hash() const;
     std::size_t entities() const { return state_.entities.size(); }
     // The newest frames, for lag compensation. Any thread.
     FrameRing& frame_history() const { return *frame_history_; }
@@ -108,19 +138,27 @@ public:
     double work_per_second() const { return work_per_second_; }
 
 private:
+    void copy_points_into(QueryFrame& frame) const;
     HostedWorld(HostedState state, double hz)
         : state_(std::move(state)),
           hz_(hz),
           frame_history_(std::make_shared<FrameRing>(state_.limits.lag_compensation_ms_max, hz)) {}
     Status limit_pairs();
     Status apply_and_record(const Command& command, InputResult& result);
+    // By the rules of the room, if the world is one.
+    Status apply_by_rules(ClientId client, const Action& action, EntityId& affected) {
+        return room_ ? room_->apply(state_, client, action, affected)
+                     : apply_action(state_, client, action, affected);
+    }
     Status accept_sequence(ClientId client, std::uint32_t sequence);
+    void copy_data_into(Frame& frame);
     // `all`: every pose; otherwise those of bodies that are or were awake.
     void copy_poses(bool all);
 
     HostedState state_;
     double hz_;
     std::shared_ptr<FrameRing> frame_history_;  // never null
+    std::unique_ptr<Room> room_;                // null: the world is no room
     SceneIds ids_;
     double work_per_second_ = 0;
     ModuleChannels channels_;
@@ -141,6 +179,9 @@ private:
     std::shared_ptr<const EntityList> entity_list_;
     std::shared_ptr<const Channels> published_channels_;
     std::shared_ptr<const PointObjects> published_points_;
+    PlayerListPtr published_players_;
+    AttributeTablePtr published_attributes_;
+    RecentMessagesPtr published_messages_ = std::make_shared<const RecentMessages>();
     std::uint32_t changed_at_ = 0;
 };
 

@@ -88,6 +88,9 @@ std::vector<bool> ModuleChannels::due(const ModuleKinds& module, std::uint32_t t
     ASSERT(tick > 0 && module.first + module.count <= kinds_.size());
     for (std::uint32_t k = 0; k < module.count; k++)
         due[k] = (tick - 1) % static_cast<std::uint32_t>(kinds_[module.first + k].divisor) == 0;
+    // The first points do not wait for the ticks of their kind.
+    for (std::uint32_t k = 0; begins_points_ && k < module.count; k++)
+        if (kinds_[module.first + k].form == physics::ChannelForm::points) due[k] = true;
     return due;
 }
 
@@ -112,6 +115,7 @@ void ModuleChannels::publish(const physics::World& world, std::uint32_t tick,
         publish_module(world, module, now, name_of);
     }
     points_.end();
+    begins_points_ = false;
     if (publishes_motion_ && motion_) add_motion(world, name_of);
     std::stable_sort(next_->begin(), next_->end(), comes_before);
     const auto same = [](const Channel& a, const Channel& b) {

@@ -54,7 +54,11 @@ public:
     // Whether publish() includes `jostle.motion`.
     void publish_motion(bool wanted) { publishes_motion_ = wanted; }
     // Whether publish() includes point objects.
-    void publish_points(bool wanted) { publishes_points_ = wanted; }
+    void publish_points(bool wanted) {
+        begins_points_ = wanted && (begins_points_ || !publishes_points_);
+        publishes_points_ = wanted;
+    }
+    bool publishes_points() const { return publishes_points_; }
     // After a step: publishes the kinds of each module that are due. Skips oversized channels.
     void publish(const physics::World& world, std::uint32_t tick,
                  const physics::ChannelWriter::NameOf& name_of);
@@ -100,6 +104,7 @@ private:
     std::vector<ModuleKinds> modules_;
     std::optional<std::uint32_t> motion_;  // the kind of `jostle.motion`
     bool publishes_motion_ = false, publishes_points_ = false;
+    bool begins_points_ = false;  // no step since publishes_points_ became true
     PointObjectPublisher points_;
     std::vector<physics::BodyState> bodies_;  // reused by add_motion()
     std::shared_ptr<const Channels> channels_ = std::make_shared<const Channels>();

@@ -22,11 +22,12 @@ void QueryBroker::request(CopyLayers layers, Clock::time_point now) {
         if (layers >> i & 1) requested_until_[i].store(until, std::memory_order_relaxed);
 }
 
-bool QueryBroker::is_requested() const {
+bool QueryBroker::is_requested(CopyLayers layers) const {
     const Clock::rep now = Clock::now().time_since_epoch().count();
-    return std::ranges::any_of(requested_until_, [&](const std::atomic<Clock::rep>& until) {
-        return until.load(std::memory_order_relaxed) > now;
-    });
+    for (std::size_t i = 0; i < requested_until_.size(); i++)
+        if ((layers >> i & 1) && requested_until_[i].load(std::memory_order_relaxed) > now)
+            return true;
+    return false;
 }
 
 QueryFramePtr QueryBroker::acquire(CopyLayers layers) {

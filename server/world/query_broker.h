@@ -34,8 +34,8 @@ public:
     QueryFramePtr acquire(CopyLayers layers);
     // Any thread: requests the layers without waiting.
     void request(CopyLayers layers, Clock::time_point now);
-    // Any thread: whether some layers are wanted.
-    bool is_requested() const;
+    // Any thread: whether some of these layers are wanted.
+    bool is_requested(CopyLayers layers = (1U << copy_layer_count) - 1) const;
 
     // The tick thread, once per tick: returns the layers to copy. Drops the last frame if none are
     // wanted.

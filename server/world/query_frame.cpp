@@ -79,6 +79,19 @@ BodyId QueryFrame::body_of(EntityId entity) const {
     return (*at)->shapes.front().body;
 }
 
+const std::shared_ptr<const PointShapes>& QueryFrame::point_shapes() const {
+    ASSERT(points);
+    return point_shapes_.get([&] {
+        const auto pose_of = [&](EntityId entity) -> std::optional<Transform> {
+            const auto at = std::ranges::lower_bound(carriers, entity, {}, &EntityPose::id);
+            if (at == carriers.end() || at->id != entity) return std::nullopt;
+            return at->pose;
+        };
+        const auto any = [](Vec3, double) { return true; };
+        return std::make_shared<const PointShapes>(place_points(*points, pose_of, any));
+    });
+}
+
 ShapeOwners shape_owners_in(const EntityList& entity_list) {
     ShapeOwners shape_owners;
     for (const auto& entity : entity_list)

@@ -11,6 +11,7 @@
 
 #include "jostle/base/check.h"
 #include "server/world/frame.h"
+#include "server/world/point_shapes.h"
 
 namespace jostle::server {
 
@@ -19,7 +20,9 @@ using CopyLayers = std::uint32_t;
 inline constexpr CopyLayers copy_shapes = 1;  // for ray casts, shape casts, overlaps and distances
 inline constexpr CopyLayers copy_contacts = 2, copy_islands = 4, copy_bounds = 8, copy_joints = 16,
                             copy_broad_phase = 32;
-inline constexpr int copy_layer_count = 6;
+inline constexpr CopyLayers copy_points =
+    64;  // point objects, for queries that find ropes and cloth
+inline constexpr int copy_layer_count = 7;
 
 inline constexpr std::size_t debug_items_max = 20000;  // per layer
 
@@ -51,6 +54,8 @@ struct QueryFrame {
     std::shared_ptr<const EntityList> entity_list;
     std::shared_ptr<const ShapeOwners> shape_owners;  // of entity_list
     std::optional<physics::Queries> queries;          // with copy_shapes
+    std::shared_ptr<const PointObjects> points;       // with copy_points
+    std::vector<EntityPose> carriers;                 // of the points, ascending
 
     std::vector<DebugContact> contacts;
     std::vector<DebugIsland> islands;
@@ -64,6 +69,11 @@ struct QueryFrame {
     }
     // A null id if the entity does not exist.
     physics::BodyId body_of(EntityId entity) const;
+    // The shapes of `points`, built by the first call. Any thread.
+    const std::shared_ptr<const PointShapes>& point_shapes() const;
+
+private:
+    LazyPointShapes point_shapes_;
 };
 
 using QueryFramePtr = std::shared_ptr<const QueryFrame>;

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "server/world/resolve_target.h"
 
+#include <algorithm>
+#include <optional>
 #include <string>
 #include <utility>
 #include <variant>
 
 #include "jostle/base/check.h"
 #include "jostle/modules/deformables.h"
+#include "server/world/point_shapes.h"
 #include "server/world/rewind_view.h"
 
 namespace jostle::server {
@@ -101,24 +104,78 @@ void set_deformable(Action& action, const DeformableTarget& target, Vec3 point) 
     }
 }
 
-Status resolve_aim(const HostedState& state, const FrameRing& past, const EntityList& now,
-                   const Aim& aim, Action& action, InputResult& result) {
+// What a ray hits of ropes and cloths.
+struct DeformableAimHit {
+    DeformableTarget target;
+    Vec3 point;  // m, world; at the current position of what was hit
+    double fraction = 0;
+};
+
+std::optional<DeformableAimHit> cast_at_deformables_now(const HostedState& state, const Ray& ray) {
+    const auto hit = modules::cast_ray_at_deformables(state.world, ray);
+    if (!hit) return std::nullopt;
+    // The nearest point may be attached, so that it cannot be grabbed.
+    const auto at =
+        modules::deformables_of(state.world, hit->module)->nearest(hit->at.object, hit->position);
+    ASSERT(at);
+    return DeformableAimHit{{hit->module, at->object, at->element}, hit->position, hit->fraction};
+}
+
+// The current position of a point of a point object; nothing: it does not exist any more.
+std::optional<Vec3> position_now(const HostedState& state, const ModuleChannels& channels,
+                                 std::uint32_t object, std::size_t element) {
+    const auto pose_of = [&](EntityId id) -> std::optional<Transform> {
+        const Entity* const entity = state.entities.find(id);
+        const auto body = state.world.body(entity ? entity->body : BodyId{});
+        return body.ok() ? std::optional(body->pose) : std::nullopt;
+    };
+    const auto& objects = *channels.points();
+    const auto found =
+        std::ranges::find(objects, object, [](const auto& s) { return s->object->id; });
+    if (found == objects.end()) return std::nullopt;
+    const auto placed = place_points({*found}, pose_of, [](Vec3, double) { return true; });
+    if (placed.empty() || element >= placed.front().positions.size()) return std::nullopt;
+    return placed.front().positions[element];
+}
+
+// The hit moved with the point next to it. Nothing also if the object has ended since.
+std::optional<DeformableAimHit> cast_at_deformables_rewound(const HostedState& state,
+                                                            const ModuleChannels& channels,
+                                                            const RewindView& past,
+                                                            const Ray& ray) {
+    const auto hit = cast_ray(past.points(along_segment(ray.origin, ray.motion)), ray);
+    if (!hit) return std::nullopt;
+    const auto object = channels.point_object(hit->object->id);
+    const auto now = position_now(state, channels, hit->object->id, hit->element);
+    const modules::Deformables* const deformables =
+        object ? modules::deformables_of(state.world, object->module) : nullptr;
+    if (!now || deformables == nullptr) return std::nullopt;
+    const auto at = deformables->nearest(object->key, *now);
+    if (!at) return std::nullopt;
+    const Vec3 then = ray.origin + ray.motion * hit->fraction;
+    return DeformableAimHit{
+        {object->module, at->object, at->element}, then + (*now - hit->element_at), hit->fraction};
+}
+
+Status resolve_aim(const HostedState& state, const ModuleChannels& channels, const FrameRing& past,
+                   const EntityList& now, const Aim& aim, Action& action, InputResult& result) {
+    const Ray ray{aim.origin, aim.motion};
+    std::optional<DeformableAimHit> deformable;
     Result<AimHit> hit = AimHit{};
     const auto frames = aim.view_time ? past.at(*aim.view_time) : std::nullopt;
     if (frames) {
         const RewindView view(*frames);
         result.view_time_clamped = view.clamped();
         hit = cast_rewound(state, view, now, aim);
+        // Points are stored while a client subscribes to them.
+        deformable = view.has_points() ? cast_at_deformables_rewound(state, channels, view, ray)
+                                       : cast_at_deformables_now(state, ray);
     } else {
         hit = cast_now(state, aim);
+        deformable = cast_at_deformables_now(state, ray);
     }
-    const auto deformable = modules::cast_ray_at_deformables(state.world, {aim.origin, aim.motion});
     if (deformable && (!hit.ok() || deformable->fraction < hit->fraction)) {
-        // The nearest point may be attached, so that it cannot be grabbed.
-        const auto at = modules::deformables_of(state.world, deformable->module)
-                            ->nearest(deformable->at.object, deformable->position);
-        ASSERT(at);
-        set_deformable(action, {deformable->module, at->object, at->element}, deformable->position);
+        set_deformable(action, deformable->target, deformable->point);
         return {};
     }
     if (!hit.ok()) return hit.error();
@@ -153,7 +210,7 @@ Status resolve_target(const HostedState& state, const ModuleChannels& channels,
     const Targeting targeting = targeting_of(action);
     if (targeting.aim && *targeting.aim) {
         const Aim aim = **targeting.aim;  // the action changes
-        return resolve_aim(state, past, now, aim, action, result);
+        return resolve_aim(state, channels, past, now, aim, action, result);
     }
     if (targeting.point_object != 0)
         return resolve_point_object(state, channels, targeting, action);

@@ -118,6 +118,21 @@ std::vector<ShapePlacement> RewindView::shapes_along_segment(const EntityList& n
     return placements;
 }
 
+std::vector<PlacedPoints> RewindView::points(const SphereFilter& filter) const {
+    const auto placed = [&](const Frame& frame) {
+        const auto pose = [&](EntityId entity) -> std::optional<Transform> {
+            const EntityPose* at = find(frame.entities, entity);
+            return at ? std::optional(at->pose) : std::nullopt;
+        };
+        return frame.points ? place_points(*frame.points, pose, filter)
+                            : std::vector<PlacedPoints>();
+    };
+    std::vector<PlacedPoints> points = placed(*frames_.before);
+    if (frames_.before != frames_.after)
+        interpolate_points(points, placed(*frames_.after), frames_.fraction);
+    return points;
+}
+
 RewindView::CandidateFilter along_segment(Vec3 origin, Vec3 motion) {
     const double size = std::max(length_squared(motion), 1e-300);
     return [=](Vec3 center, double radius) {

@@ -15,6 +15,7 @@
 #include "jostle/physics/aabb.h"
 #include "jostle/physics/queries.h"
 #include "server/world/frame.h"
+#include "server/world/point_shapes.h"
 
 namespace jostle::server {
 
@@ -40,6 +41,11 @@ public:
     std::vector<physics::ShapePlacement> shapes_along_segment(const EntityList& now,
                                                               physics::Vec3 origin,
                                                               physics::Vec3 motion) const;
+
+    // The points of ropes, hair and cloth whose spheres pass the filter. Empty if no client
+    // subscribed to them then.
+    std::vector<PlacedPoints> points(const SphereFilter& filter) const;
+    bool has_points() const { return frames_.after->points != nullptr; }
 
 private:
     RewindFrames frames_;

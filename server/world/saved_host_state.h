@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The state of a hosted world beyond its bodies: entities, owners, grabs, controlled entities and
-// the last sequence number of each client. Together with the saved world it determines the next
-// tick, except for inputs that were not applied yet.
+// The state of a hosted world beyond its bodies: entities, owners, grabs, controlled entities,
+// players, attributes and the last sequence number of each client. Together with the saved world it
+// determines the next tick, except for inputs that were not applied yet.
 #pragma once
 
 #include <cstdint>
@@ -14,7 +14,9 @@
 
 #include "jostle/base/result.h"
 #include "jostle/physics/ids.h"
+#include "server/world/attribute.h"
 #include "server/world/command.h"
+#include "server/world/room_state.h"
 
 namespace jostle::server {
 
@@ -45,6 +47,21 @@ struct SavedHostState {
         std::uint32_t sequence = 0;
     };
 
+    struct SavedPlayer {
+        ClientId client = 0;
+        std::string name;
+        std::uint32_t role = 0;  // PlayerRole
+        std::optional<std::uint32_t> color;
+        std::uint32_t connected = 0;  // 1: connected
+        std::uint32_t joined_tick = 0;
+    };
+    struct SavedAttribute {
+        AttributeTarget target;
+        ClientId owner = 0;  // of the target
+        std::string key;
+        Attribute attribute;
+    };
+
     std::uint32_t tick = 0;
     EntityId next_id = 1;
     std::vector<Entity> entities;  // in ascending order of id
@@ -55,11 +72,19 @@ struct SavedHostState {
     std::vector<EntityId> quarantined;
     std::vector<physics::BodyId> scene_bodies;
     std::vector<physics::JointId> scene_joints;
+    std::vector<SavedPlayer> players;        // in ascending order of client
+    std::vector<SavedAttribute> attributes;  // in ascending order of target and key
+    std::uint32_t messages = 0;              // number of user messages
+    std::optional<RoomState> room = {};      // nothing: the world is no room
 };
 
 // The clients of the world, each with the sequence number of its last processed input (0: none).
 std::map<ClientId, std::uint32_t> clients_of(const SavedHostState& host_state);
 
+// A hash of the players, the attributes and the number of messages.
+std::uint64_t data_hash(const SavedHostState& host_state);
+
+// A world without players, attributes and messages is encoded as earlier versions did.
 std::string encode_host_state(const SavedHostState& host_state);
 // corrupt_data: the bytes are not an encoded host state. failed_precondition: they have a version
 // that this server does not read.

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "jostle/base/check.h"
+#include "server/auth/identity.h"
 #include "server/util/log.h"
 
 namespace jostle::server {
@@ -47,6 +48,12 @@ Error not_persisted() {
 Error name_taken(const std::string& name) {
     return {ErrorCode::already_exists,
             "a world named \"" + name + "\" exists; choose another name or delete it first"};
+}
+
+std::optional<RoomState> make_room(std::optional<RoomProperties> properties,
+                                   const std::string& owner) {
+    if (!properties) return std::nullopt;
+    return new_room(*std::move(properties), owner == anonymous_subject ? std::string() : owner);
 }
 
 // Running out of memory fails the creation of this world only.
@@ -105,11 +112,13 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::create_with(const std::string
 
 Result<std::shared_ptr<WorldHost>> WorldDirectory::create(const std::string& requested_name,
                                                           const scenes::SceneDescription& scene,
-                                                          const std::string& owner) {
+                                                          const std::string& owner,
+                                                          std::optional<RoomProperties> room) {
     const std::string name = requested_name.empty() ? scene.name : requested_name;
     auto host = create_with(name, owner, scene.bodies.size(), [&](WorldLabel label) {
         return WorldHost::start(std::move(label),
-                                std::make_shared<const scenes::SceneDescription>(scene), settings_);
+                                std::make_shared<const scenes::SceneDescription>(scene), settings_,
+                                make_room(std::move(room), owner));
     });
     if (host.ok())
         log_info("world {} \"{}\" runs scene {} at {} Hz with {} bodies", (*host)->id(), name,
@@ -120,10 +129,12 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::create(const std::string& req
 Result<std::shared_ptr<WorldHost>> WorldDirectory::create_from(const std::string& name,
                                                                const WorldHost& world,
                                                                std::uint32_t tick,
-                                                               const std::string& owner) {
+                                                               const std::string& owner,
+                                                               std::optional<RoomProperties> room) {
     Result<HostedWorld> past = world_at(world, tick);
     if (!past.ok()) return past.error();
     past->release_all_clients();
+    past->set_room(make_room(std::move(room), owner));
     const std::size_t bodies = past->entities();
     auto host = create_with(name, owner, bodies, [&](WorldLabel label) {
         return WorldHost::begin(
@@ -203,7 +214,7 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::rewind(const std::shared_ptr<
                                                           std::uint32_t tick) {
     Result<HostedWorld> past = world_at(*world, tick);  // the world ticks meanwhile
     if (!past.ok()) return past.error();
-    auto host = replace_persisted(world, [&] {
+    auto host = replace_stopped(world, [&] {
         return settings_.world_persistence->rewind(world->id(), tick, *std::move(past));
     });
     if (host.ok())
@@ -223,12 +234,39 @@ Result<WorldDirectory::Undone> WorldDirectory::undo(const std::shared_ptr<WorldH
     Result<std::unique_ptr<PreparedUndo>> prepared =
         built([&] { return persistence.prepare_undo(world->id(), client, first); });
     if (!prepared.ok()) return prepared.error();
-    auto host = replace_persisted(world, [&] { return persistence.undo(world->id(), **prepared); });
+    auto host = replace_stopped(world, [&] { return persistence.undo(world->id(), **prepared); });
     if (!host.ok()) return host.error();
     return Undone{*std::move(host), first, (*prepared)->inputs};
 }
 
-Result<std::shared_ptr<WorldHost>> WorldDirectory::replace_persisted(
+Result<std::shared_ptr<WorldHost>> WorldDirectory::reset(const std::shared_ptr<WorldHost>& world) {
+    const WorldProperties& properties = world->properties();
+    // The world ticks meanwhile.
+    Result<HostedWorld> fresh = built([&] {
+        return HostedWorld::create(*properties.scene, settings_.limits, settings_.physics_threads);
+    });
+    if (!fresh.ok()) return fresh.error();
+    auto host = replace_stopped(world, [&]() -> Result<WorldStart> {
+        if (world->is_persisted())
+            return settings_.world_persistence->rewind(world->id(), 0, *std::move(fresh));
+        fresh->continue_from(world->stopped_world());
+        return WorldStart{.label = properties.label,
+                          .scene = properties.scene,
+                          .world = *std::move(fresh),
+                          .tick = world->frame()->tick + 1};
+    });
+    if (host.ok()) log_info("world {} \"{}\" was reset to its scene", world->id(), world->name());
+    return host;
+}
+
+void WorldDirectory::reset_requested() {
+    for (const auto& world : list())
+        if (world->is_reset_requested() && !world->lifecycle().stopped())
+            if (const auto host = reset(world); !host.ok())
+                log_error("world {}: cannot be reset: {}", world->id(), host.error().message);
+}
+
+Result<std::shared_ptr<WorldHost>> WorldDirectory::replace_stopped(
     const std::shared_ptr<WorldHost>& world, const std::function<Result<WorldStart>()>& start) {
     if (!world->stop_for_replacement())
         return Error{ErrorCode::aborted,
@@ -340,8 +378,9 @@ Result<WorldDirectory::Replacement> WorldDirectory::restart_failed_world(
             start->paused = failed.lifecycle().paused();
             return start_replacement(*std::move(start));
         }
-        auto host =
-            WorldHost::start(failed.properties().label, failed.properties().scene, settings_);
+        const RoomView room = failed.frame()->room;
+        auto host = WorldHost::start(failed.properties().label, failed.properties().scene,
+                                     settings_, room ? std::optional(*room) : std::nullopt);
         if (!host.ok()) return host.error();
         return Replacement{*std::move(host), {}};
     });

@@ -25,9 +25,11 @@ public:
     // Creates a world from a scene; an empty name stands for the name of the scene. `owner`: the
     // subject of the creator; empty: the server itself. Errors: the name is taken or has the form
     // of an id, a limit is reached, or the scene cannot be built.
+    // `room`: nothing: the world is no room.
     Result<std::shared_ptr<WorldHost>> create(const std::string& name,
                                               const scenes::SceneDescription& scene,
-                                              const std::string& owner = {});
+                                              const std::string& owner = {},
+                                              std::optional<RoomProperties> room = {});
     // An empty key finds the oldest world. Null: not found.
     std::shared_ptr<WorldHost> find(const std::string& id_or_name) const;
     // Null: worlds end with the process.
@@ -37,7 +39,8 @@ public:
     // create() and scene_at().
     Result<std::shared_ptr<WorldHost>> create_from(const std::string& name, const WorldHost& world,
                                                    std::uint32_t tick,
-                                                   const std::string& owner = {});
+                                                   const std::string& owner = {},
+                                                   std::optional<RoomProperties> room = {});
     // Starts a persisted world under its id. Call it before any other function.
     std::shared_ptr<WorldHost> adopt(WorldStart start);
     std::vector<std::shared_ptr<WorldHost>> list() const;  // in order of creation
@@ -58,6 +61,11 @@ public:
         std::size_t inputs = 0;
     };
     Result<Undone> undo(const std::shared_ptr<WorldHost>& world, ClientId client, double seconds);
+    // Replaces the world by a new one of its scene, in a new host like rewind(). A room retains its
+    // members and its decisions. The world then continues unchanged if the scene cannot be built.
+    Result<std::shared_ptr<WorldHost>> reset(const std::shared_ptr<WorldHost>& world);
+    // Resets the worlds whose members requested it. Call it periodically from one thread.
+    void reset_requested();
     // `callback` is called when a new host replaces a world, with the clients of its saved state.
     // Set it before the first world.
     using OnReplaced = std::function<void(const std::shared_ptr<WorldHost>& world,
@@ -90,7 +98,7 @@ private:
     Replacement start_replacement(WorldStart start) const;
     // Stops the world and continues it in a new host from what `start` returns. If it fails, the
     // world continues unchanged.
-    Result<std::shared_ptr<WorldHost>> replace_persisted(
+    Result<std::shared_ptr<WorldHost>> replace_stopped(
         const std::shared_ptr<WorldHost>& world, const std::function<Result<WorldStart>()>& start);
     Result<HostedWorld> world_at(const WorldHost& world, std::uint32_t tick) const;
     // False: the stopped world was deleted meanwhile.

@@ -1,11 +1,15 @@
 // SPDX-License-Identifier: MIT
 #include "server/world/world_host.h"
 
+#include <spdlog/fmt/fmt.h>
+
 #include <algorithm>
+#include <cmath>
 #include <cstdlib>
 #include <utility>
 
 #include "jostle/base/check.h"
+#include "server/auth/identity.h"
 #include "server/util/log.h"
 #include "server/world/command_mailbox.h"
 
@@ -29,8 +33,12 @@ WorldProperties properties_of(WorldStart& start) {
             .substeps = scene.world.tolerance > 0 ? 0 : scene.world.substeps,
             .epoch = Clock::now() - from_seconds((start.tick - 1) / scene.hz),
             .first_tick = start.tick,
+            .is_room = start.world.room() != nullptr,
             .channel_kinds = start.world.channel_kinds()};
 }
+
+// The reason of a pause by a member of the room, who may end it.
+constexpr std::string_view room_pause = "by a member of the room";
 
 std::optional<Error> pause_refusal(const std::optional<std::string>& paused) {
     if (!paused) return std::nullopt;
@@ -41,10 +49,11 @@ std::optional<Error> pause_refusal(const std::optional<std::string>& paused) {
 
 Result<std::shared_ptr<WorldHost>> WorldHost::start(
     WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene,
-    const WorldHostSettings& settings) {
+    const WorldHostSettings& settings, std::optional<RoomState> room) {
     Result<HostedWorld> world =
         HostedWorld::create(*scene, settings.limits, settings.physics_threads);
     if (!world.ok()) return world.error();
+    world->set_room(std::move(room));
     return begin({std::move(label), std::move(scene), *std::move(world)}, settings);
 }
 
@@ -69,6 +78,9 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
       tick_(start.tick),
       scheduler_(settings.inputs, properties_.hz),
       body_limits_(settings.body_limits, properties_.hz),
+      // The burst has space for the largest message.
+      message_bytes_(settings.user_message_bytes_per_second,
+                     std::max(settings.user_message_bytes_per_second, 131072.0), properties_.epoch),
       world_journal_(std::move(start.world_journal)),
       // A world without ticks of its own does not depend on measured times.
       queries_(settings.own_ticks ? settings.query_copy_share / properties_.hz : 0),
@@ -80,6 +92,7 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
     world_.copy_into(*first);
     world_.frame_history().put(first, false);
     publisher_.set_frame(std::move(first));
+    static_cast<void>(world_.take_room_requests());  // of commands that a recovery replayed
     if (world_journal_) world_.enable_journal();
     if (!settings_.own_ticks) return;
     // The first tick is the world as it was built; the loop continues from there.
@@ -98,6 +111,14 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
             cancel_waiters();
             lifecycle_.end_tick();
         });
+}
+
+std::string WorldHost::owner() const {
+    const std::string& creator = properties_.label.owner;
+    if (!properties_.is_room) return creator;
+    const RoomView room = frame()->room;
+    if (!room->owner.empty()) return room->owner.substr(subject_member.size());
+    return creator == anonymous_subject ? creator : std::string();
 }
 
 WorldHost::~WorldHost() {
@@ -217,11 +238,12 @@ void WorldHost::run_tick(Clock::time_point due, std::uint32_t late_ticks) {
     ASSERT(tick_ > properties_.first_tick);
     const std::optional<std::string> paused = lifecycle_.paused();
     const std::optional<Error> refusal = input_refusal(paused);
-    apply_commands(refusal, due);
+    const bool applies_data = apply_commands(refusal, due);
     remove_excess_bodies(began);
     const bool allowed = paused && single_step_.begin_step();
     const bool steps = !paused || allowed;
     if (world_journal_) world_journal_->append({tick_, steps, world_.take_journal()});
+    const Room::Requests room_requests = world_.take_room_requests();
     tick_metrics_.begin_step();
     const bool stepped = steps && step(allowed);
     const std::shared_ptr<Frame> frame = make_frame(due, late_ticks);
@@ -229,11 +251,12 @@ void WorldHost::run_tick(Clock::time_point due, std::uint32_t late_ticks) {
     if (!stepped) frame->step_ms = 0;
     ASSERT(frame->tick == tick_ && frame->entity_list);
     publisher_.measure(*frame, began);
-    const bool sends_results = !world_journal_ || refusal;
+    const bool sends_results = !world_journal_ || (refusal && !applies_data);
     publish(frame, sends_results);
     if (world_journal_) persist_published(frame->step_ms, sends_results);
     serve_queries();  // after the frame, which has priority
     single_step_.end_tick();
+    grant_room_requests(room_requests);
     between_ticks_.run_pending(world_);
     tick_metrics_.end_tick(*frame, stepped ? &world_.world().profile() : nullptr,
                            results_.size() + scheduler_.waiting());
@@ -264,20 +287,36 @@ std::optional<Error> WorldHost::input_refusal(const std::optional<std::string>& 
     return Error{ErrorCode::unavailable, "the input cannot be persisted, retry later: " + *failure};
 }
 
-// A pause or the end of the world during the tick refuses the rest of its inputs.
-void WorldHost::apply_commands(std::optional<Error> refusal, Clock::time_point due) {
+// A pause or the end of the world during the tick refuses the rest of its inputs, except those
+// about players, attributes and messages, which a pause does not concern.
+bool WorldHost::apply_commands(std::optional<Error> refusal, Clock::time_point due) {
     mailbox_.take_due(tick_);
     results_.clear();
+    if (world_.room())
+        for (const Command& command : mailbox_.entries()) world_.apply(command, tick_);
+    apply_joins(mailbox_.join_commands());
     scheduler_.begin_tick(mailbox_.inputs(), mailbox_.leave_commands());
+    const bool may_persist = !world_journal_ || !world_journal_->failure_reason();
+    bool applies_data = false;
+    const auto is_refused = [&](const Command& command) {
+        if (!refusal) return false;
+        if (!may_persist || lifecycle_.stopped() || !is_data_command(command.action)) return true;
+        applies_data = true;
+        return false;
+    };
     std::chrono::nanoseconds before = cpu_time_.now().value_or(std::chrono::nanoseconds(0));
     while (const Command* const command = scheduler_.next()) {
         if (!refusal && lifecycle_.stopped())
             refusal = Error{ErrorCode::unavailable, "the world is being closed"};
         else if (!refusal)
             refusal = pause_refusal(lifecycle_.paused());
+        std::optional<InputResult> resumed;
+        if (refusal && world_.room()) resumed = resume_room(*command);
         put_result(*command,
-                   refusal ? InputResult{.sequence = command->sequence, .status = *refusal}
-                           : apply(*command),
+                   resumed ? *std::move(resumed)
+                   : is_refused(*command)
+                       ? InputResult{.sequence = command->sequence, .status = *refusal}
+                       : apply(*command, due),
                    due);
         const std::chrono::nanoseconds after = cpu_time_.now().value_or(before);
         scheduler_.charge(std::chrono::duration<double>(after - before).count());
@@ -294,12 +333,51 @@ void WorldHost::apply_commands(std::optional<Error> refusal, Clock::time_point d
             body_limits_.on_retained(world_.ownership().owned_by(command.client), due);
         world_.apply(command, tick_);
     }
+    apply_joins(mailbox_.late_join_commands());
+    return applies_data;
 }
 
-InputResult WorldHost::apply(const Command& command) {
+void WorldHost::apply_joins(std::span<Command> joins) {
+    for (Command& command : joins) {
+        std::get<JoinCommand>(command.action).tick = tick_;
+        world_.apply(command, tick_);
+    }
+}
+
+std::optional<Error> WorldHost::message_refusal(const Command& command, Clock::time_point due) {
+    const auto* const message = std::get_if<SendMessageCommand>(&command.action);
+    const double rate = settings_.user_message_bytes_per_second;
+    if (!message || rate == 0) return std::nullopt;
+    const auto bytes = static_cast<double>(message->topic.size() + message->data.size());
+    if (message_bytes_.take(bytes, due)) return std::nullopt;
+    const double wait_ms = std::ceil(to_ms(message_bytes_.wait_for(bytes, due)));
+    return Error{ErrorCode::resource_exhausted,
+                 fmt::format("the clients of this world send more than {:g} bytes of messages per "
+                             "second (world.user_message_bytes_per_second); retry after {:g} ms",
+                             rate, wait_ms),
+                 static_cast<int>(std::min(wait_ms, 1e9))};
+}
+
+InputResult WorldHost::apply(const Command& command, Clock::time_point due) {
     std::optional<Error> refused = body_limits_.refusal(command, world_.ownership());
+    if (!refused) refused = message_refusal(command, due);
     return refused ? world_.refuse(command, *std::move(refused), tick_)
                    : world_.apply(command, tick_);
+}
+
+std::optional<InputResult> WorldHost::resume_room(const Command& command) {
+    const auto* const about_room = std::get_if<RoomCommand>(&command.action);
+    const auto* const pause = about_room ? std::get_if<PauseRoom>(&about_room->kind) : nullptr;
+    if (!pause || pause->paused || lifecycle_.paused() != room_pause) return std::nullopt;
+    InputResult result{.sequence = command.sequence,
+                       .status = world_.room()->may(command.client, RoomAction::pause)};
+    if (result.status.ok()) resume();
+    return result;
+}
+
+void WorldHost::grant_room_requests(const Room::Requests& requests) {
+    if (requests.reset) is_reset_requested_ = true;
+    if (requests.paused == true && !lifecycle_.paused()) pause(std::string(room_pause));
 }
 
 void WorldHost::remove_excess_bodies(Clock::time_point now) {
@@ -326,7 +404,7 @@ void WorldHost::put_result(const Command& command, InputResult result, Clock::ti
 bool WorldHost::step(bool allowed) {
     const FrameListeners& listeners = publisher_.listeners();
     world_.publish_motion(listeners.motion.load() > 0);
-    world_.publish_points(listeners.points.load() > 0);
+    world_.publish_points(listeners.points.load() > 0 || queries_.is_requested(copy_points));
     world_.publish_controlled_entities(listeners.controlled_entities.load() > 0);
     world_.publish_joints(listeners.joints.load() > 0);
     world_.resume_stepping();
@@ -393,7 +471,7 @@ void WorldHost::publish(const std::shared_ptr<Frame>& frame, bool sends_results)
     if (sends_results)
         for (WaitingResult& waiting : results_)
             if (waiting.reply) waiting.reply->put(std::move(waiting.result));
-    publisher_.notify(frame->changed_at == frame->tick || !results_.empty());
+    publisher_.notify(frame->changed_at == frame->tick || frame->has_new_data || !results_.empty());
 }
 
 void WorldHost::serve_queries() {

@@ -12,10 +12,12 @@
 #include <memory>
 #include <mutex>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "server/util/thread_cpu_time.h"
+#include "server/util/token_bucket.h"
 #include "server/world/between_ticks_executor.h"
 #include "server/world/body_limits.h"
 #include "server/world/command_mailbox.h"
@@ -45,6 +47,7 @@ struct WorldHostSettings {
     int command_queue_max = 8192;
     InputScheduler::Settings inputs;
     double query_copy_share = 0.1;  // of the tick period for copies for queries; 0: unlimited
+    double user_message_bytes_per_second = 262144;  // of all clients; 0: unlimited
     BodyLimits::Settings body_limits;
     int catch_up_ticks_max = 4;
     int physics_threads = 1;
@@ -71,9 +74,10 @@ class WorldHost {
 public:
     // Builds the world on the calling thread, then starts the tick thread. Errors: the scene is
     // invalid or exceeds a limit.
+    // `room`: nothing: the world is no room.
     static Result<std::shared_ptr<WorldHost>> start(
         WorldLabel label, std::shared_ptr<const scenes::SceneDescription> scene,
-        const WorldHostSettings& settings);
+        const WorldHostSettings& settings, std::optional<RoomState> room = {});
     static Result<std::shared_ptr<WorldHost>> start(std::string id, std::string name,
                                                     const scenes::SceneDescription& scene,
                                                     const WorldHostSettings& settings) {
@@ -90,6 +94,9 @@ public:
     const std::string& id() const { return properties_.label.id; }
     const std::string& name() const { return properties_.label.name; }
     double hz() const { return properties_.hz; }
+    // Any thread: the subject of the owner, which the members of a room can change; empty: the
+    // server, or a client without a subject.
+    std::string owner() const;
 
     // Any thread: input and output.
     CommandMailbox& mailbox() { return mailbox_; }
@@ -124,6 +131,9 @@ public:
         return world_journal_ ? world_journal_->oldest_tick() : 0;
     }
 
+    // Any thread: whether a member of the room requested to start the world from its scene again.
+    bool is_reset_requested() const { return is_reset_requested_.load(); }
+
     // Any thread: the world has work and may not rest (tick_loop.h). Commands, queries, pauses and
     // new clients call it.
     void wake() { loop_.wake(); }
@@ -133,6 +143,8 @@ public:
     // stop() for a world that another host continues; its clients should reconnect. False: the
     // world was stopped already.
     bool stop_for_replacement();
+    // After stop(): the last state.
+    const HostedWorld& stopped_world() const { return world_; }
     // Any thread: stop() writes no checkpoint.
     void skip_final_checkpoint() { skips_final_checkpoint_.store(true); }
     // A world without ticks of its own, one thread at a time: runs the tick that is due.
@@ -148,8 +160,15 @@ private:
     bool may_rest(const Frame& frame) const;
     // `refusal`: why no input is applied; nothing: inputs are applied.
     std::optional<Error> input_refusal(const std::optional<std::string>& paused) const;
-    void apply_commands(std::optional<Error> refusal, Clock::time_point due);
-    InputResult apply(const Command& command);
+    // Returns whether an input was applied although the world is paused.
+    bool apply_commands(std::optional<Error> refusal, Clock::time_point due);
+    InputResult apply(const Command& command, Clock::time_point due);
+    // Why a user message exceeds the rate of the world; nothing: it does not.
+    std::optional<Error> message_refusal(const Command& command, Clock::time_point due);
+    void apply_joins(std::span<Command> joins);
+    // Resumes a world that a member of the room paused. Nothing: the command does not request it.
+    std::optional<InputResult> resume_room(const Command& command);
+    void grant_room_requests(const Room::Requests& requests);
     void remove_excess_bodies(Clock::time_point now);
     void put_result(const Command& command, InputResult result, Clock::time_point due);
     // `allowed`: step even if the world is paused. False: the world took no step.
@@ -176,6 +195,7 @@ private:
     std::uint32_t tick_ = 0;
     InputScheduler scheduler_;
     BodyLimits body_limits_;
+    TokenBucket message_bytes_;
     ThreadCpuTime cpu_time_;
     std::chrono::nanoseconds cpu_at_begin_{0};  // of this tick
     std::vector<WaitingResult> results_;        // of the inputs of this tick
@@ -190,7 +210,7 @@ private:
     SingleStepControl single_step_;
     TickMetrics tick_metrics_;
     BetweenTicksExecutor between_ticks_;
-    std::atomic<bool> skips_final_checkpoint_{false};
+    std::atomic<bool> skips_final_checkpoint_{false}, is_reset_requested_{false};
     std::mutex stop_mutex_;
     bool ended_ = false;
     TickLoop loop_;  // last: its thread uses everything above

@@ -28,6 +28,7 @@ struct WorldProperties {
     int substeps = 0;              // per step; 0: chosen per island by the tolerance
     Clock::time_point epoch;       // due time of tick 0
     std::uint32_t first_tick = 1;  // the tick that the host started from
+    bool is_room = false;          // frames have a RoomView
     // The channels that modules publish; a channel's kind is an index of this list.
     std::vector<physics::ChannelKind> channel_kinds;
 

@@ -126,6 +126,14 @@ const Method methods[] = {
     method_of<v1::BanRequest, v1::BanResponse, ban_and_lift>(false),
     method_of<v1::UnbanRequest, v1::UnbanResponse,
               [](Controls& c, const auto& in, auto& out) { return c.admin.unban(in, out); }>(false),
+    method_of<v1::ListPlayersRequest, v1::ListPlayersResponse,
+              [](Controls& c, const auto& in, auto& out) {
+                  return c.admin.data().list_players(in, out);
+              }>(false),
+    method_of<v1::GetAttributesRequest, v1::GetAttributesResponse,
+              [](Controls& c, const auto& in, auto& out) {
+                  return c.admin.data().get_attributes(in, out);
+              }>(false),
 };
 
 const Method& method_named(std::uint8_t first) {

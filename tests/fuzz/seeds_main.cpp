@@ -88,6 +88,11 @@ v1::ClientMessage hello(bool events) {
     message.mutable_hello()->set_name("seed");
     message.mutable_hello()->set_events(events);
     message.mutable_hello()->set_snapshot_hz(events ? 20 : 0);
+    if (!events) return message;
+    message.mutable_hello()->set_players(true);
+    message.mutable_hello()->set_attributes(true);
+    message.mutable_hello()->add_topics("*");
+    message.mutable_hello()->set_color(0x336699);
     return message;
 }
 
@@ -127,6 +132,26 @@ v1::ClientMessage inputs(std::uint32_t first) {
     set(*bang.mutable_center(), 0, 1, 0);
     bang.set_radius(5);
     bang.set_speed(10);
+    v1::AttributeSet& attributes = *batch.add_inputs()->mutable_set_attributes()->mutable_set();
+    attributes.set_player(1);
+    v1::Attribute& number = *attributes.add_attributes();
+    number.set_key("speed");
+    number.set_number(1.5);
+    number.set_visibility(v1::ATTRIBUTE_VISIBILITY_ROLES);
+    number.set_roles(12);
+    v1::Attribute& text = *attributes.add_attributes();
+    text.set_key("label");
+    text.set_text("red");
+    text.set_visibility(v1::ATTRIBUTE_VISIBILITY_OWNER);
+    attributes.add_attributes()->set_key("gone");
+    v1::SendMessageInput& chat = *batch.add_inputs()->mutable_send_message();
+    chat.set_topic("chat");
+    chat.set_data("hello");
+    chat.add_to(1);
+    batch.add_inputs()->mutable_rename()->set_name("other");
+    batch.add_inputs()->mutable_room()->mutable_vote_kick()->set_client(7);
+    (*batch.add_inputs()->mutable_room()->mutable_settings()->mutable_quotas())["player.bodies"] =
+        5;
     batch.mutable_ack()->set_frame(3);
     return message;
 }
@@ -141,7 +166,7 @@ std::vector<v1::ClientMessage> client_messages() {
     return {hello(false),
             hello(true),
             inputs(1),
-            inputs(9),
+            inputs(12),
             with([](auto& m) { m.mutable_ack()->set_frame(7); }),
             with([](auto& m) { m.mutable_ping()->set_client_time_us(99); }),
             with([](auto& m) { m.mutable_leave(); })};
@@ -151,7 +176,7 @@ std::vector<v1::ClientMessage> client_messages() {
 std::string write_conversation(bool events) {
     std::string out = record(0, hello(events).SerializeAsString()) + record(3);
     for (std::uint32_t round = 0; round < 3; round++) {
-        out += record(0, inputs(1 + 8 * round).SerializeAsString());
+        out += record(0, inputs(1 + 11 * round).SerializeAsString());
         out += record(1, "\3") + record(2, std::string("\x40\0", 2)) + record(3) + record(5, "\1");
     }
     out += record(4) + record(0, client_messages()[5].SerializeAsString());
@@ -176,7 +201,7 @@ std::vector<std::string> server_messages(bool events) {
     for (std::uint32_t round = 0; round < 4; round++) {
         listen();
         link.receive(client_messages()[5].SerializeAsString(), now);
-        link.receive(inputs(1 + 8 * round).SerializeAsString(), now);
+        link.receive(inputs(1 + 11 * round).SerializeAsString(), now);
         small.worlds.find("")->tick(now += 60ms);
     }
     listen();
@@ -502,6 +527,13 @@ void write_requests(const fs::path& folder) {
     pause.set_world("w1");
     pause.set_paused(true);
     add(11, pause);
+    v1::ListPlayersRequest players;
+    players.set_world("w1");
+    add(14, players);
+    v1::GetAttributesRequest attributes;
+    attributes.set_world("w1");
+    attributes.mutable_target()->set_world(true);
+    add(15, attributes);
 }
 
 // ---- HTTP/2 ----
@@ -545,16 +577,29 @@ void write_persisted(const fs::path& folder) {
     ball.shape.geometry = physics::Sphere{0.3};
     ball.pose.position = {5, 9, 0};
     ball.color = 0x336699;
-    const server::Action actions[] = {ball,
-                                      server::GrabCommand{11, {5, 9, 0}},
-                                      server::DragCommand{{6, 9, 0}},
-                                      server::ImpulseCommand{3, {1, 2, 3}, physics::Vec3{0, 1, 0}},
-                                      server::ExplodeCommand{{0, 1, 0}, 3, 2},
-                                      server::DeleteCommand{11},
-                                      server::PossessCommand{2},
-                                      server::ControlCommand{},
-                                      server::DisconnectCommand{},
-                                      server::LeaveCommand{true}};
+    const server::SetAttributesCommand attributes{
+        {server::AttributeTargetKind::player, 1},
+        {{"speed", 1.5, server::AttributeVisibility::roles, 8},
+         {"label", std::string("red"), server::AttributeVisibility::owner},
+         {"at", physics::Vec3{1, 2, 3}},
+         {"ready", true},
+         {"score", std::int64_t{-3}}}};
+    const server::Action actions[] = {
+        server::JoinCommand{"ada", server::PlayerRole::owner, 0x336699},
+        attributes,
+        server::SendMessageCommand{"chat", "hello", {1}},
+        server::RenameCommand{"bea"},
+        server::SetRoleCommand{1, server::PlayerRole::builder},
+        ball,
+        server::GrabCommand{11, {5, 9, 0}},
+        server::DragCommand{{6, 9, 0}},
+        server::ImpulseCommand{3, {1, 2, 3}, physics::Vec3{0, 1, 0}},
+        server::ExplodeCommand{{0, 1, 0}, 3, 2},
+        server::DeleteCommand{11},
+        server::PossessCommand{2},
+        server::ControlCommand{},
+        server::DisconnectCommand{},
+        server::LeaveCommand{true}};
     server::JournalSegment journal{{}, {{2, 4}}};
     std::uint32_t tick = 0;
     for (const server::Action& action : actions) {
@@ -565,6 +610,18 @@ void write_persisted(const fs::path& folder) {
         seeds.add(server::encode_journal({{journal.ticks.back()}, {}}));
     }
     seeds.add(server::encode_journal(journal));
+    world->set_room(server::new_room({.title = "Yard", .tags = {"race"}}, "ada"));
+    const server::RoomCommand commands[] = {
+        {server::EnterRoom{.member = "subject/ada"}},
+        {server::ProtectArea{{"tower", {-1, 0, -1}, {1, 9, 1}}}},
+        {server::BanClient{1, 60, "spam"}},
+        {server::UpdateRoom{}}};
+    for (const server::RoomCommand& command : commands) {
+        tick++;
+        world->apply({.client = 2, .sequence = tick, .action = command, .reply = {}}, tick);
+        seeds.add(server::encode_host_state(world->host_state(tick)));
+        seeds.add(server::encode_journal({{{tick, world->take_journal()}}, {}}));
+    }
     seeds.add(server::encode_journal(
         {.ticks = {}, .paused_ticks = {}, .rewind = server::Rewind{90, 30}}));
     seeds.add(server::encode_journal(

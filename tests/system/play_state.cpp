@@ -116,6 +116,16 @@ void PlayState::take(const v1::Snapshot& snapshot) {
         input_margin_us = value;
     take_results(snapshot.client_update());
     expect(snapshot.frame() > newest_frame, name + " is not newer than the last one");
+    for (const v1::UserMessage& message : snapshot.messages()) {
+        expect(message.number() > newest_message_, name + " repeats a user message");
+        newest_message_ = message.number();
+        newest_message = message.data();
+    }
+    for (const v1::PlayerUpdate& update : snapshot.players()) {
+        expect(has_players_ || update.complete() || update.events().empty(),
+               name + " has player events before the player list");
+        has_players_ = has_players_ || update.complete();
+    }
 
     const auto baseline_of = [&](std::uint32_t frame) {
         const snapshot::QuantizedFrame* baseline = frame == 0 ? nullptr : find(frame);

@@ -42,6 +42,7 @@ public:
     // States of the cells in the area of interest, by number; for clients with an area of interest.
     std::map<std::uint32_t, std::map<std::uint32_t, snapshot::QuantizedFrame>> cells;
     bool wants_events = false;       // from its Hello
+    std::string newest_message;      // data of the newest user message
     std::vector<v1::Events> events;  // in order of arrival
 
     int violations = 0;
@@ -68,6 +69,8 @@ private:
     void expect(bool holds, const std::string& what);
 
     std::deque<snapshot::QuantizedFrame> ring_;
+    std::uint32_t newest_message_ = 0;  // number
+    bool has_players_ = false;
 };
 
 // Time since `server_time_us` on the server's clock, ms. Server and client run on the same machine.

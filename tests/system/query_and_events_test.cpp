@@ -137,12 +137,12 @@ TEST_F(QueryAndEvents, client_library_queries_and_receives_events) {
     ASSERT_TRUE(ground.ok() && ground->value);
     EXPECT_NE(ground->value->entity, ball);
     EXPECT_FALSE(queries.cast_ray({x, 10, 0}, {0, 20, 0})->value) << "there is nothing above";
-    EXPECT_EQ(queries.overlap({x, 0.5, 0})->value, std::vector{ball});
+    EXPECT_EQ(queries.overlap({x, 0.5, 0})->value.entities, std::vector{ball});
     v1::Shape probe;
     probe.mutable_sphere()->set_radius(0.1);
     probe.mutable_position()->set_x(x);
     probe.mutable_position()->set_y(0.5);
-    EXPECT_EQ(queries.overlap(probe)->value, std::vector{ball});
+    EXPECT_EQ(queries.overlap(probe)->value.entities, std::vector{ball});
     const auto nearest = queries.closest_point({x, 2, 0}, 5);
     ASSERT_TRUE(nearest.ok() && nearest->value);
     EXPECT_EQ(nearest->value->entity, ball);

@@ -10,11 +10,13 @@
 #include <cstring>
 #include <fstream>
 #include <nlohmann/json.hpp>
+#include <sstream>
 
 #include "jostle/scenes/scene_file.h"
 #include "server/storage/backup.h"
 #include "server/storage/store_head.h"
 #include "tools/common/table.h"
+#include "tools/ctl/attribute_arguments.h"
 #include "tools/ctl/report.h"
 
 namespace jostle::ctl {
@@ -128,7 +130,13 @@ Outcome set_paused(Connection& server, const CommandArguments& arguments, bool p
 }  // namespace
 
 Outcome list_worlds(Connection& server, const CommandArguments& arguments) {
-    const auto response = server.call(&Worlds::ListWorlds, v1::ListWorldsRequest());
+    v1::ListWorldsRequest request;
+    std::istringstream tags(arguments.tags);
+    for (std::string tag; std::getline(tags, tag, ',');) request.mutable_filter()->add_tags(tag);
+    request.mutable_filter()->set_text(arguments.words);
+    request.mutable_filter()->set_not_full(arguments.not_full);
+    request.mutable_filter()->set_is_public(arguments.is_public);
+    const auto response = server.call(&Worlds::ListWorlds, request);
     if (!response.ok()) return server_error(response.error());
     return {.text = arguments.json ? json_text(*response) : worlds_text(*response)};
 }
@@ -137,9 +145,17 @@ Outcome create_world(Connection& server, const CommandArguments& arguments) {
     v1::CreateWorldRequest request;
     request.set_name(arguments.name);
     std::string text;
+    if (!arguments.room.empty()) {
+        const Result<std::string> read = read_file(arguments.room);
+        if (!read.ok()) return usage_error(read.error());
+        if (Status s = scenes::read_json_message(*read, *request.mutable_room()); !s.ok())
+            return usage_error(in_file(arguments.room, s.error()));
+    }
     if (!arguments.from.empty()) {
         request.mutable_checkpoint()->set_world(arguments.from);
         request.mutable_checkpoint()->set_tick(arguments.tick);
+    } else if (!arguments.room_template.empty()) {
+        request.set_room_template(arguments.room_template);
     } else if (arguments.file.empty()) {
         request.set_scene_name(arguments.scene);
     } else {
@@ -297,6 +313,73 @@ Outcome remove_bodies(Connection& server, const CommandArguments& arguments) {
                           " were removed from " + sanitized(arguments.world));
 }
 
+Outcome list_players(Connection& server, const CommandArguments& arguments) {
+    v1::ListPlayersRequest request;
+    request.set_world(arguments.world);
+    const auto response = server.call(&Admin::ListPlayers, request);
+    if (!response.ok()) return server_error(response.error());
+    return {.text = arguments.json ? json_text(*response) : players_text(*response)};
+}
+
+Outcome set_role(Connection& server, const CommandArguments& arguments) {
+    const Result<v1::PlayerRole> role = parse_role(arguments.role);
+    if (!role.ok()) return usage_error(role.error());
+    v1::SetPlayerRoleRequest request;
+    request.set_world(arguments.world);
+    request.set_client(arguments.client);
+    request.set_role(*role);
+    const auto response = server.call(&Admin::SetPlayerRole, request);
+    return to_outcome(response, arguments,
+                      "player " + std::to_string(arguments.client) + " of " +
+                          sanitized(arguments.world) + " has the role " + arguments.role);
+}
+
+Outcome get_attributes(Connection& server, const CommandArguments& arguments) {
+    v1::GetAttributesRequest request;
+    request.set_world(arguments.world);
+    if (!arguments.target.empty())
+        if (Status s = parse_target(arguments.target, *request.mutable_target()); !s.ok())
+            return usage_error(s.error());
+    const auto response = server.call(&Admin::GetAttributes, request);
+    if (!response.ok()) return server_error(response.error());
+    return {.text = arguments.json ? json_text(*response) : attributes_text(*response)};
+}
+
+Outcome set_attribute(Connection& server, const CommandArguments& arguments) {
+    v1::SetAttributesRequest request;
+    request.set_world(arguments.world);
+    if (Status s = parse_target(arguments.target, *request.mutable_set()); !s.ok())
+        return usage_error(s.error());
+    v1::Attribute& attribute = *request.mutable_set()->add_attributes();
+    attribute.set_key(arguments.key);
+    if (!arguments.removes) {
+        parse_value(arguments.value, arguments.is_text, attribute);
+        if (Status s = parse_visibility(arguments.visibility, attribute); !s.ok())
+            return usage_error(s.error());
+    }
+    const auto response = server.call(&Admin::SetAttributes, request);
+    return to_outcome(
+        response, arguments,
+        sanitized(arguments.target) + " " + sanitized(arguments.key) +
+            (arguments.removes ? " is removed" : " is " + sanitized(value_text(attribute), 300)));
+}
+
+Outcome send_message(Connection& server, const CommandArguments& arguments) {
+    v1::SendMessageRequest request;
+    request.set_world(arguments.world);
+    request.set_topic(arguments.topic);
+    request.set_data(arguments.text);
+    request.mutable_to()->Add(arguments.recipients.begin(), arguments.recipients.end());
+    const auto response = server.call(&Admin::SendMessage, request);
+    if (!response.ok()) return server_error(response.error());
+    return to_outcome(
+        response, arguments,
+        "message " + std::to_string(response->number()) + " was sent to " +
+            (arguments.recipients.empty()
+                 ? "all players"
+                 : count_text(static_cast<std::uint32_t>(arguments.recipients.size()), "player")));
+}
+
 Outcome backup(Connection& server, const CommandArguments& arguments) {
     const std::string part = arguments.file + ".part";
     std::ofstream file(part, std::ios::binary | std::ios::trunc);
@@ -364,6 +447,120 @@ Outcome restore(const CommandArguments& arguments) {
         arguments.database + " is restored from " + arguments.file + "; start the server with it\n";
     for (const std::string& name : *renamed) text += "  a file so far is now " + name + "\n";
     return {.text = text};
+}
+
+Outcome show_room(Connection& server, const CommandArguments& arguments) {
+    v1::GetRoomRequest request;
+    request.set_world(arguments.world);
+    const auto response = server.call(&Admin::GetRoom, request);
+    if (!response.ok()) return server_error(response.error());
+    return {.text = arguments.json ? json_text(*response) : room_text(*response)};
+}
+
+namespace {
+
+Outcome moderate(Connection& server, const CommandArguments& arguments,
+                 const v1::RoomInput& command, const std::string& sentence) {
+    v1::ModerateRoomRequest request;
+    request.set_world(arguments.world);
+    *request.mutable_command() = command;
+    const auto response = server.call(&Admin::ModerateRoom, request);
+    return to_outcome(response, arguments, sentence);
+}
+
+std::string client_text(const CommandArguments& arguments) {
+    return "client " + std::to_string(arguments.client);
+}
+
+}  // namespace
+
+Outcome set_room_role(Connection& server, const CommandArguments& arguments) {
+    v1::RoomInput command;
+    command.mutable_set_role()->set_client(arguments.client);
+    const Result<v1::PlayerRole> role = parse_role(arguments.role);
+    if (!role.ok()) return usage_error(role.error());
+    command.mutable_set_role()->set_role(*role);
+    return moderate(server, arguments, command,
+                    client_text(arguments) + " has the role " + arguments.role);
+}
+
+Outcome kick_from_room(Connection& server, const CommandArguments& arguments) {
+    v1::RoomInput command;
+    command.mutable_kick()->set_client(arguments.client);
+    command.mutable_kick()->set_reason(arguments.reason);
+    return moderate(server, arguments, command,
+                    client_text(arguments) + " was removed from the room; it may join again");
+}
+
+Outcome ban_from_room(Connection& server, const CommandArguments& arguments) {
+    v1::RoomInput command;
+    command.mutable_ban()->set_client(arguments.client);
+    command.mutable_ban()->set_seconds(arguments.hours * 3600);
+    command.mutable_ban()->set_reason(arguments.reason);
+    return moderate(server, arguments, command,
+                    client_text(arguments) + " is banned from the room");
+}
+
+Outcome unban_from_room(Connection& server, const CommandArguments& arguments) {
+    v1::RoomInput command;
+    command.mutable_unban()->set_member(arguments.member);
+    return moderate(server, arguments, command,
+                    sanitized(arguments.member) + " is no longer banned from the room");
+}
+
+Outcome mute(Connection& server, const CommandArguments& arguments) {
+    v1::RoomInput command;
+    command.mutable_mute()->set_client(arguments.client);
+    command.mutable_mute()->set_seconds(arguments.seconds);
+    return moderate(
+        server, arguments, command,
+        client_text(arguments) + (arguments.seconds > 0
+                                      ? " is muted for " + number_text(arguments.seconds, 0) + " s"
+                                      : " is no longer muted"));
+}
+
+Outcome clean_up(Connection& server, const CommandArguments& arguments) {
+    v1::RoomInput command;
+    command.mutable_clean_up()->set_client(arguments.client);
+    return moderate(server, arguments, command,
+                    "the bodies of " + client_text(arguments) + " were deleted");
+}
+
+Outcome protect(Connection& server, const CommandArguments& arguments) {
+    v1::RoomInput command;
+    v1::ProtectedArea& area = *command.mutable_protect()->mutable_area();
+    const auto write = [](v1::Vec3& to, const std::vector<double>& from) {
+        to.set_x(from.at(0)), to.set_y(from.at(1)), to.set_z(from.at(2));
+    };
+    area.set_name(arguments.area);
+    area.set_min_role(arguments.role);
+    write(*area.mutable_min(), arguments.min);
+    write(*area.mutable_max(), arguments.max);
+    return moderate(server, arguments, command, sanitized(arguments.area) + " is protected");
+}
+
+Outcome unprotect(Connection& server, const CommandArguments& arguments) {
+    v1::RoomInput command;
+    command.mutable_unprotect()->set_name(arguments.area);
+    return moderate(server, arguments, command,
+                    sanitized(arguments.area) + " is no longer protected");
+}
+
+Outcome update_room(Connection& server, const CommandArguments& arguments) {
+    const Result<std::string> read = read_file(arguments.file);
+    if (!read.ok()) return usage_error(read.error());
+    v1::RoomInput command;
+    if (Status s = scenes::read_json_message(*read, *command.mutable_settings()); !s.ok())
+        return usage_error(in_file(arguments.file, s.error()));
+    return moderate(server, arguments, command,
+                    sanitized(arguments.world) + " has the settings of " + arguments.file);
+}
+
+Outcome reset(Connection& server, const CommandArguments& arguments) {
+    v1::RoomInput command;
+    command.mutable_reset();
+    return moderate(server, arguments, command,
+                    sanitized(arguments.world) + " starts from its scene again");
 }
 
 Outcome drain(Connection& server, const CommandArguments& arguments) {

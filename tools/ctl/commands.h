@@ -6,6 +6,7 @@
 
 #include <cstdint>
 #include <string>
+#include <vector>
 
 #include "tools/ctl/connection.h"
 
@@ -21,7 +22,17 @@ struct CommandArguments {
     std::string subject, network;  // of a ban; one of them is empty
     double seconds = 5;
     double undo_seconds = 60;
-    double hours = 0;  // of a ban; 0: until it is removed
+    double hours = 0;                 // of a ban; 0: until it is removed
+    std::string room, room_template;  // a file with room settings; a room template
+    std::string tags, words;          // filters of "worlds"; tags are separated by commas
+    bool not_full = false, is_public = false;
+    std::string member, area;
+    std::vector<double> min, max;  // of an area
+    std::string target = "world";  // of attributes
+    std::string key, value, visibility = "everyone";
+    bool is_text = false, removes = false;
+    std::string role, topic = "chat", text;
+    std::vector<std::uint32_t> recipients;  // of a message; empty: all players
     bool json = false;
 };
 
@@ -50,6 +61,25 @@ Outcome undo(Connection& server, const CommandArguments& arguments);
 Outcome backup(Connection& server, const CommandArguments& arguments);
 // Removes the bodies that `client` spawned in `world`.
 Outcome remove_bodies(Connection& server, const CommandArguments& arguments);
+Outcome show_room(Connection& server, const CommandArguments& arguments);
+// Moderation of the room of `world`.
+Outcome set_room_role(Connection& server, const CommandArguments& arguments);
+Outcome kick_from_room(Connection& server, const CommandArguments& arguments);
+Outcome ban_from_room(Connection& server, const CommandArguments& arguments);
+Outcome unban_from_room(Connection& server, const CommandArguments& arguments);
+Outcome mute(Connection& server, const CommandArguments& arguments);
+Outcome clean_up(Connection& server, const CommandArguments& arguments);
+Outcome protect(Connection& server, const CommandArguments& arguments);
+Outcome unprotect(Connection& server, const CommandArguments& arguments);
+Outcome update_room(Connection& server, const CommandArguments& arguments);
+Outcome reset(Connection& server, const CommandArguments& arguments);
+// Players, attributes and messages of `world`.
+Outcome list_players(Connection& server, const CommandArguments& arguments);
+Outcome set_role(Connection& server, const CommandArguments& arguments);
+// Of `target`; "": all attributes.
+Outcome get_attributes(Connection& server, const CommandArguments& arguments);
+Outcome set_attribute(Connection& server, const CommandArguments& arguments);
+Outcome send_message(Connection& server, const CommandArguments& arguments);
 Outcome drain(Connection& server, const CommandArguments& arguments);
 Outcome profile(Connection& server, const CommandArguments& arguments);
 

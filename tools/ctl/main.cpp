@@ -28,7 +28,13 @@ Examples:
   jostlectl export arena arena.json                 write a scene file; "-" is standard output
   jostlectl export arena then.json --at 1234        export an earlier tick of a persisted world
   jostlectl profile arena arena.trace.json          record 5 s of ticks for ui.perfetto.dev
+  jostlectl world create track --template race      create a room; "worlds --json" lists templates
+  jostlectl room show track                         list its members, bans and protected areas
+  jostlectl room role track 17 builder
   jostlectl undo yard 17 --seconds 30               undo what client 17 did in the last 30 s
+  jostlectl players arena                           list players, their roles and pings
+  jostlectl say arena "the match starts"            send a message to all players
+  jostlectl set-attribute arena player:17 score 12  clients cannot change it; see also attributes
   jostlectl backup worlds.backup                    download a backup while the worlds run
   jostlectl verify worlds.backup && jostlectl restore worlds.backup worlds.db
   jostlectl drain                                   notify clients, then stop the server
@@ -73,7 +79,15 @@ void add_world_argument(CLI::App* sub, Flags& flags) {
 void add_world_commands(CLI::App& app, Flags& flags) {
     namespace ctl = jostle::ctl;
     CommandArguments& w = flags.arguments;
-    add(app, flags, "worlds", "List the worlds", ctl::list_worlds);
+    CLI::App* const worlds = add(app, flags, "worlds", "List the worlds", ctl::list_worlds);
+    worlds
+        ->add_option("--tags", w.tags, "List rooms with all of these tags only, such as race,cars")
+        ->type_name("TAGS");
+    worlds
+        ->add_option("--text", w.words, "List worlds with TEXT in name, title or description only")
+        ->type_name("TEXT");
+    worlds->add_flag("--not-full", w.not_full, "List rooms with a free place only");
+    worlds->add_flag("--public", w.is_public, "List rooms without a join code only");
     CLI::App* const world = app.add_subcommand("world", "Create or delete a world");
     world->require_subcommand(1);
     CLI::App* const create = add(*world, flags, "create", "Create a world", ctl::create_world);
@@ -85,18 +99,28 @@ void add_world_commands(CLI::App& app, Flags& flags) {
     auto* const file =
         create->add_option("--file", w.file, "Read a scene file; \"-\" reads standard input")
             ->type_name("FILE");
+    auto* const room_template =
+        create->add_option("--template", w.room_template, "Use a room template of the server")
+            ->type_name("TEMPLATE");
+    create
+        ->add_option("--room", w.room,
+                     "Make the world a room with the settings in this JSON file; \"-\" reads "
+                     "standard input")
+        ->type_name("FILE");
     auto* const from =
         create->add_option("--from", w.from, "Copy a persisted world as it was after the tick --at")
             ->type_name("WORLD");
     auto* const at =
         create->add_option("--at", w.tick, "Tick of --from")->type_name("TICK")->needs(from);
     from->needs(at);
-    scene->excludes(file)->excludes(from);
-    file->excludes(from);
-    create->callback([&flags, scene, file, from] {
-        if (scene->count() + file->count() + from->count() == 0)
+    scene->excludes(file)->excludes(from)->excludes(room_template);
+    file->excludes(from)->excludes(room_template);
+    room_template->excludes(from);
+    create->callback([&flags, scene, file, from, room_template] {
+        if (scene->count() + file->count() + from->count() + room_template->count() == 0)
             throw CLI::RequiredError(
-                "world create: --scene NAME, --file FILE, or --from WORLD --at TICK");
+                "world create: --scene NAME, --template NAME, --file FILE, or --from WORLD --at "
+                "TICK");
         if (from->count() != 0 && flags.arguments.name.empty())
             throw CLI::RequiredError("world create --from: NAME");
         flags.command = ctl::create_world;
@@ -145,6 +169,65 @@ void add_world_commands(CLI::App& app, Flags& flags) {
     profile->add_option("--seconds", w.seconds, "Record for this time [default: 5; 1 to 30]")
         ->type_name("SECONDS")
         ->check(CLI::Range(1.0, 30.0).description(""));
+}
+
+// Players, attributes and messages of a world.
+void add_data_commands(CLI::App& app, Flags& flags) {
+    namespace ctl = jostle::ctl;
+    CommandArguments& w = flags.arguments;
+    add_world_argument(add(app, flags, "players", "List the players of a world", ctl::list_players),
+                       flags);
+    CLI::App* const role =
+        add(app, flags, "role", "Change the role of a player in its world", ctl::set_role);
+    add_world_argument(role, flags);
+    role->add_option("CLIENT", w.client, "Id of the player, as listed by \"players\"")
+        ->type_name("")
+        ->required();
+    role->add_option("ROLE", w.role, "spectator, player, builder or owner")
+        ->type_name("")
+        ->required();
+    CLI::App* const get =
+        add(app, flags, "attributes", "List attributes of a world, its players and its entities",
+            ctl::get_attributes);
+    add_world_argument(get, flags);
+    get->add_option("TARGET", w.target,
+                    "world, player:CLIENT or entity:ENTITY [default: all targets]")
+        ->type_name("");
+    get->callback([&flags, get] {
+        if (get->get_option("TARGET")->count() == 0) flags.arguments.target.clear();
+        flags.command = ctl::get_attributes;
+    });
+    CLI::App* const set = add(app, flags, "set-attribute",
+                              "Set an attribute; clients cannot change it", ctl::set_attribute);
+    add_world_argument(set, flags);
+    set->add_option("TARGET", w.target, "world, player:CLIENT or entity:ENTITY")
+        ->type_name("")
+        ->required();
+    set->add_option("KEY", w.key, "1 to 32 of the characters a-z, 0-9, _ and .")
+        ->type_name("")
+        ->required();
+    auto* const value =
+        set->add_option("VALUE", w.value,
+                        "true, false, an integer, a number, a vector such as 1,2,3, or a text")
+            ->type_name("");
+    set->add_flag("--text", w.is_text, "Set VALUE as a text, whatever it looks like");
+    auto* const removes = set->add_flag("--remove", w.removes, "Remove the attribute");
+    set->add_option("--visibility", w.visibility,
+                    "Clients that receive it: everyone, owner, or roles:ROLE,ROLE [default: "
+                    "everyone]")
+        ->type_name("WHO");
+    set->callback([&flags, value, removes] {
+        if (value->count() + removes->count() != 1)
+            throw CLI::RequiredError("set-attribute: either VALUE or --remove");
+        flags.command = ctl::set_attribute;
+    });
+    CLI::App* const say =
+        add(app, flags, "say", "Send a user message as the server", ctl::send_message);
+    add_world_argument(say, flags);
+    say->add_option("TEXT", w.text, "Data of the message")->type_name("")->required();
+    say->add_option("--topic", w.topic, "Topic of the message [default: chat]")->type_name("TOPIC");
+    say->add_option("--to", w.recipients, "Send it to this client only; repeatable")
+        ->type_name("CLIENT");
 }
 
 void add_client_commands(CLI::App& app, Flags& flags) {
@@ -199,10 +282,72 @@ void add_client_commands(CLI::App& app, Flags& flags) {
                      "Undo the inputs of this time [default: 60; 1 to 3600]")
         ->type_name("SECONDS")
         ->check(CLI::Range(1.0, 3600.0).description(""));
+    add_data_commands(app, flags);
     CLI::App* const backup =
         add(app, flags, "backup", "Download a backup of all persisted worlds", jostle::ctl::backup);
     backup->add_option("FILE", w.file, "File to write")->type_name("")->required();
     add(app, flags, "drain", "Notify all clients, then stop the server", jostle::ctl::drain);
+}
+
+void add_room_commands(CLI::App& app, Flags& flags) {
+    namespace ctl = jostle::ctl;
+    CommandArguments& w = flags.arguments;
+    CLI::App* const room = app.add_subcommand("room", "Show or moderate the room of a world");
+    room->require_subcommand(1);
+    const auto command = [&](const char* name, const char* help, Command run) {
+        CLI::App* const sub = add(*room, flags, name, help, run);
+        add_world_argument(sub, flags);
+        return sub;
+    };
+    const auto on_client = [&](const char* name, const char* help, Command run) {
+        CLI::App* const sub = command(name, help, run);
+        sub->add_option("CLIENT", w.client, "Id of the client, as listed by \"room show\"")
+            ->type_name("")
+            ->required();
+        return sub;
+    };
+    command("show", "List members, bans and protected areas", ctl::show_room);
+    on_client("role", "Change the role of a client", ctl::set_room_role)
+        ->add_option("ROLE", w.role, "spectator, player, builder or owner")
+        ->type_name("")
+        ->required();
+    CLI::App* const kick = on_client("kick", "Remove a client", ctl::kick_from_room);
+    CLI::App* const ban = on_client("ban", "Remove and ban a client", ctl::ban_from_room);
+    for (CLI::App* const sub : {kick, ban})
+        sub->add_option("--reason", w.reason, "Send TEXT to the client [at most 100 bytes]")
+            ->type_name("TEXT");
+    ban->add_option("--hours", w.hours, "Duration in simulated time [default: until unban]")
+        ->type_name("HOURS")
+        ->check(CLI::Range(0.0, 87600.0).description(""));
+    command("unban", "Remove a ban", ctl::unban_from_room)
+        ->add_option("MEMBER", w.member, "Member, as listed by \"room show\"")
+        ->type_name("")
+        ->required();
+    on_client("mute", "Refuse the messages of a client", ctl::mute)
+        ->add_option("--seconds", w.seconds,
+                     "Duration in simulated time; 0 ends the mute [default: 5]")
+        ->type_name("SECONDS")
+        ->check(CLI::Range(0.0, 315360000.0).description(""));
+    on_client("clean-up", "Delete all bodies of a client", ctl::clean_up);
+    CLI::App* const protect = command("protect", "Add a protected area", ctl::protect);
+    CLI::App* const unprotect = command("unprotect", "Remove a protected area", ctl::unprotect);
+    for (CLI::App* const sub : {protect, unprotect})
+        sub->add_option("AREA", w.area, "Name of the area")->type_name("")->required();
+    protect->add_option("--min", w.min, "Corner of the box, m")
+        ->type_name("X Y Z")
+        ->expected(3)
+        ->required();
+    protect->add_option("--max", w.max, "Opposite corner of the box, m")
+        ->type_name("X Y Z")
+        ->expected(3)
+        ->required();
+    protect->add_option("--role", w.role, "Lowest role that may act in the area [default: builder]")
+        ->type_name("ROLE");
+    command("update", "Replace all settings", ctl::update_room)
+        ->add_option("FILE", w.file, "JSON file with room settings; \"-\" is standard input")
+        ->type_name("")
+        ->required();
+    command("reset", "Start the world from its scene again", ctl::reset);
 }
 
 // Commands that read and write files on this machine.
@@ -250,6 +395,7 @@ int main(int argc, char** argv) {
     add_connection_flags(app, flags);
     add_world_commands(app, flags);
     add_client_commands(app, flags);
+    add_room_commands(app, flags);
     add_file_commands(app, flags);
     app.require_subcommand(1);
     app.footer(footer);

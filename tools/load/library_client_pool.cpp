@@ -15,6 +15,11 @@ namespace {
 constexpr auto play_period = 33ms;
 constexpr auto leave_delay = 200ms;  // for the last messages to be sent
 
+std::vector<std::string> topics_of(const DataOptions& data) {
+    if (!data.is_on()) return {};
+    return {chat_topic};
+}
+
 }  // namespace
 
 LibraryClientThread::LibraryClientThread(const LoadOptions& plan, int first, int step,
@@ -52,12 +57,16 @@ void LibraryClientThread::join_due(Clock::time_point now) {
                                        .world = options_.world,
                                        .name = "load " + std::to_string(number + 1),
                                        .snapshot_hz = options_.snapshot_hz,
+                                       .players = options_.data.is_on(),
+                                       .attributes = options_.data.is_on(),
+                                       .topics = topics_of(options_.data),
                                        .max_kbps = options_.max_kbps,
                                        .interest = options_.interest_of(number),
                                        .precision = options_.precision,
                                        .datagrams = options_.datagrams},
                  line_for(options_.script, number), static_cast<std::uint32_t>(number + 1)),
-             {}});
+             {},
+             DataTraffic(options_.data, number)});
     }
 }
 
@@ -66,6 +75,10 @@ void LibraryClientThread::think(Clock::time_point now) {
     std::uint64_t snapshots = 0, inputs = 0;
     for (Member& member : members_) {
         member.bot->think(now);
+        const client::ClientStats before = member.bot->client().stats();
+        if (before.connected)
+            for (v1::Input& input : member.data.take(now, before.client_id))
+                member.bot->client().send(std::move(input));
         collect(member, now);
         const client::ClientStats stats = member.bot->client().stats();
         joined += stats.connected ? 1 : 0;
@@ -84,6 +97,11 @@ void LibraryClientThread::collect(Member& member, Clock::time_point now) {
     for (const auto& result : client.take_results())
         if (result.code() == v1::INPUT_CODE_INVALID || result.code() == v1::INPUT_CODE_NOT_ALLOWED)
             metrics_.add_error(result.message());
+    for (const v1::UserMessage& message : client.take_messages()) {
+        metrics_.user_messages++;
+        if (const auto sent = sent_us(message.data()))
+            metrics_.message_delay.add(static_cast<std::int64_t>(client::to_us(now) - *sent));
+    }
     for (const float age : client.take_ages_ms())
         metrics_.add_age(static_cast<std::int64_t>(1000 * age), now);
 }
@@ -103,6 +121,7 @@ void LibraryClientThread::count() {
         metrics_.bytes += now.bytes_received - before.bytes_received;
         metrics_.inputs_sent += now.inputs_sent - before.inputs_sent;
         metrics_.inputs_applied += now.inputs_applied - before.inputs_applied;
+        metrics_.messages_missed += now.messages_missed - before.messages_missed;
         metrics_.errors += now.stream_failures + now.decode_errors;
         if (!now.last_error.empty()) metrics_.last_error = now.last_error;
     }

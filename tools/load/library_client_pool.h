@@ -31,6 +31,7 @@ private:
     struct Member {
         std::unique_ptr<bot::Bot> bot;
         client::ClientStats before;  // at the start of the measurement
+        DataTraffic data;
     };
 
     void run();

@@ -48,6 +48,8 @@ void LoadMetrics::merge(const LoadMetrics& other) {
     errors += other.errors;
     rendered += other.rendered;
     frozen += other.frozen;
+    user_messages += other.user_messages;
+    messages_missed += other.messages_missed;
     if (last_error.empty()) last_error = other.last_error;
     seconds = std::max(seconds, other.seconds);
     cpu_seconds += other.cpu_seconds;
@@ -55,6 +57,7 @@ void LoadMetrics::merge(const LoadMetrics& other) {
     gap.merge(other.gap);
     result_delay.merge(other.result_delay);
     effect_delay.merge(other.effect_delay);
+    message_delay.merge(other.message_delay);
     age_windows.resize(std::max(age_windows.size(), other.age_windows.size()));
     for (std::size_t k = 0; k < other.age_windows.size(); k++)
         age_windows[k].merge(other.age_windows[k]);

@@ -27,14 +27,16 @@ struct LoadMetrics {
     std::string last_error;
     // Rendered frames of decoding passive clients, and those that were frozen or jumped.
     std::uint64_t rendered = 0, frozen = 0;
-    double seconds = 0;      // duration of the measurement
-    double cpu_seconds = 0;  // of the thread
+    std::uint64_t user_messages = 0, messages_missed = 0;  // received, and dropped by the server
+    double seconds = 0;                                    // duration of the measurement
+    double cpu_seconds = 0;                                // of the thread
 
     Histogram age;           // of a snapshot: from the due time of its tick until it was read
     Histogram gap;           // between successive snapshots of a client
     Histogram result_delay;  // from sending an input until its result was read
     // from sending an input until the first snapshot of the tick that applied it was read
     Histogram effect_delay;
+    Histogram message_delay;             // from sending a user message until a client read it
     std::vector<Histogram> age_windows;  // age, in intervals of window_s
 
     static constexpr int window_s = 10;

@@ -10,6 +10,7 @@
 #include "clients/bot/script.h"
 #include "jostle/client/client_options.h"
 #include "jostle/client/security.h"
+#include "tools/load/data_traffic.h"
 
 namespace jostle::load {
 
@@ -34,6 +35,8 @@ struct LoadOptions {
     std::optional<client::AreaOfInterest> interest_of(int number) const;
     // Read rate of a client, numbered from 0; 0: unlimited.
     double read_rate_of(int number) const;
+
+    DataOptions data;  // user messages and attributes
 
     bool datagrams = false;  // of library clients: ClientOptions::datagrams
 

@@ -40,6 +40,7 @@ The measurement starts when all clients have joined and --settle has passed. The
                                     because snapshots were late (decoding passive clients)
   gap_ms                            between successive snapshots of a client (passive clients)
   result_delay_ms                   from an input until its result (passive clients)
+  message_delay_ms                  from a user message until a client received it (--chat)
   effect_delay_ms                   from an input until the first snapshot of the tick that applied
                                     it (passive clients)
   errors                            streams that ended, snapshots that did not decode, and rejected
@@ -108,6 +109,23 @@ void add_flags(CLI::App& app, Flags& flags) {
         ->type_name("METRES,RADIANS[,FACTOR]")
         ->delimiter(',')
         ->expected(2, 3)
+        ->group("Clients");
+    app.add_option("--chat", load.data.messages_per_second,
+                   "Send N user messages per second from each client to all clients\n"
+                   "[default: 0; 0 to 1000]")
+        ->type_name("N")
+        ->check(CLI::Range(0.0, 1000.0).description(""))
+        ->group("Clients");
+    CLI::Option* attributes =
+        app.add_option("--attributes", load.data.attributes,
+                       "Set N attributes of each player, which all clients receive\n"
+                       "[default: 0; 0 to 1000]");
+    attributes->type_name("N")->check(CLI::Range(0, 1000).description(""))->group("Clients");
+    app.add_option("--attribute-changes", load.data.attribute_changes_per_second,
+                   "Change N of them per second [default: 1; 0 to 1000]")
+        ->type_name("N")
+        ->needs(attributes)
+        ->check(CLI::Range(0.0, 1000.0).description(""))
         ->group("Clients");
     CLI::Option* datagrams =
         app.add_flag("--datagrams", load.datagrams,

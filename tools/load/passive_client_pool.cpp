@@ -67,10 +67,12 @@ PassiveClientThread::Member PassiveClientThread::make_member(int number, bool ha
         .max_kbps = plan_.max_kbps,
         .read_rate = plan_.read_rate_of(number),
         .snapshot_hz = plan_.snapshot_hz,
-        .precision = plan_.precision};
+        .precision = plan_.precision,
+        .receives_data = plan_.data.is_on()};
     Member member{
         .client = std::make_unique<PassiveClient>(plan_, std::move(options), epoll_, metrics_),
         .behaviour = {},
+        .data = DataTraffic(plan_.data, number),
         .joins_at = start_ + seconds(plan_.ramp * number / plan_.clients),
         .thinks_at = {}};
     if (plays)
@@ -114,6 +116,8 @@ void PassiveClientThread::tick_all(Clock::time_point now) {
             continue;
         }
         if (member.behaviour && now >= member.thinks_at) think(member, now);
+        PassiveClientProtocol& protocol = member.client->protocol();
+        if (member.client->joined()) protocol.play(member.data.take(now, protocol.client_id()));
         member.client->tick(now);
         joined += member.client->joined() ? 1 : 0;
     }

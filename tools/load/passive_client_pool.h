@@ -33,6 +33,7 @@ private:
     struct Member {
         std::unique_ptr<PassiveClient> client;
         std::optional<bot::Behaviour> behaviour;
+        DataTraffic data;
         Clock::time_point joins_at, thinks_at;
     };
 

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "jostle/snapshot/frame_codec.h"
+#include "tools/load/data_traffic.h"
 
 namespace jostle::load {
 
@@ -94,6 +95,9 @@ void PassiveClientProtocol::on_snapshot(Bytes bytes, Clock::time_point now) {
             frame_ = static_cast<std::uint32_t>(field.value);
         if (field.number == v1::Snapshot::kLateUsFieldNumber) late = field.value;
         if (field.number == v1::Snapshot::kClientUpdateFieldNumber) own = field.bytes;
+        if (field.number == v1::Snapshot::kMessagesFieldNumber) on_user_message(field.bytes, now);
+        if (field.number == v1::Snapshot::kMessagesMissedFieldNumber)
+            metrics_.messages_missed += field.value;
     }
     if (walk.malformed()) return metrics_.add_error("received an invalid Snapshot");
     metrics_.snapshots++;
@@ -110,10 +114,23 @@ void PassiveClientProtocol::on_snapshot(Bytes bytes, Clock::time_point now) {
     }
     if (clock_.ready() && tick_us_ > 0)
         metrics_.add_age(server_us(now) - due_us(frame_, late), now);
-    if (!options_.spectator) {
+    if (!options_.spectator || options_.receives_data) {
         record_effect_delays(frame_, now);
         on_client_update(own, now);
     }
+}
+
+void PassiveClientProtocol::on_user_message(Bytes bytes, Clock::time_point now) {
+    metrics_.user_messages++;
+    ProtoFieldReader walk(bytes);
+    for (Field field; walk.next(field);) {
+        if (field.number != v1::UserMessage::kDataFieldNumber) continue;
+        const std::string_view data(reinterpret_cast<const char*>(field.bytes.data()),
+                                    field.bytes.size());
+        if (const auto sent = sent_us(data))
+            metrics_.message_delay.add(static_cast<std::int64_t>(client::to_us(now) - *sent));
+    }
+    if (walk.malformed()) metrics_.add_error("received an invalid UserMessage");
 }
 
 void PassiveClientProtocol::render(Clock::time_point now) {
@@ -204,6 +221,7 @@ void PassiveClientProtocol::decode(Bytes bytes) {
     if (message.has_geometry()) applied = view_->apply(message.geometry());
     if (message.has_entity_update()) applied = view_->apply(message.entity_update());
     if (message.has_snapshot()) {
+        view_->apply_data(message.snapshot());
         applied = view_->apply(message.snapshot());
         metrics_.decoded += applied.ok() ? 1 : 0;
         // While a keyframe is in transit, the following snapshots cannot be decoded either.
@@ -226,6 +244,9 @@ std::optional<std::string_view> PassiveClientProtocol::take_message(Clock::time_
         hello.set_max_kbps(options_.max_kbps);
         hello.set_packed_entities(true);
         hello.set_snapshot_hz(options_.snapshot_hz);
+        hello.set_players(options_.receives_data);
+        hello.set_attributes(options_.receives_data);
+        if (options_.receives_data) hello.add_topics(chat_topic);
         // As the clients of players: the cost of the server and the bytes depend on it.
         hello.set_codec(static_cast<std::uint32_t>(snapshot::newest_codec));
         if (options_.precision) {

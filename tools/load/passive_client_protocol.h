@@ -33,6 +33,7 @@ struct PassiveClientOptions {
     double read_rate = 0;                                 // messages per second; 0: unlimited
     std::uint32_t snapshot_hz = 0;                        // 0: the tick rate of the world
     std::optional<client::Precision> precision = {};      // nothing: that of the world
+    bool receives_data = false;  // subscribes to players, attributes and chat
 };
 
 class PassiveClientProtocol {
@@ -73,6 +74,7 @@ private:
     void on_field(const Field& field, Clock::time_point now);
     void on_welcome(Bytes bytes);
     void on_snapshot(Bytes bytes, Clock::time_point now);
+    void on_user_message(Bytes bytes, Clock::time_point now);
     void on_client_update(Bytes bytes, Clock::time_point now);
     void on_result(const v1::InputResult& result, Clock::time_point now);
     void on_pong(Bytes bytes, Clock::time_point now);

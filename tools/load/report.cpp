@@ -40,10 +40,13 @@ Report make_report(const LoadMetrics& f, int clients) {
                   .kbit_per_second_per_client = rate(f.bytes) * 8 / 1000,
                   .snapshots_per_second_per_client = rate(f.snapshots),
                   .messages_per_second_per_client = rate(f.messages),
+                  .user_messages = f.user_messages,
+                  .messages_missed = f.messages_missed,
                   .age_ms = percentiles_of(f.age),
                   .gap_ms = percentiles_of(f.gap),
                   .result_delay_ms = percentiles_of(f.result_delay),
                   .effect_delay_ms = percentiles_of(f.effect_delay),
+                  .message_delay_ms = percentiles_of(f.message_delay),
                   .age_windows_ms = {},
                   .errors = f.errors,
                   .server_cpu_percent = {},
@@ -76,6 +79,10 @@ std::string to_text(const Report& r) {
             percentiles_line("age_ms", r.age_ms) + percentiles_line("gap_ms", r.gap_ms) +
             percentiles_line("result_delay_ms", r.result_delay_ms) +
             percentiles_line("effect_delay_ms", r.effect_delay_ms);
+    if (r.user_messages > 0)
+        text += line("user_messages", static_cast<double>(r.user_messages), 0) +
+                line("messages_missed", static_cast<double>(r.messages_missed), 0) +
+                percentiles_line("message_delay_ms", r.message_delay_ms);
     if (r.age_windows_ms.size() > 1)
         for (std::size_t k = 0; k < r.age_windows_ms.size(); k++)
             text += percentiles_line(
@@ -109,6 +116,9 @@ std::string to_json(const Report& r) {
         {"gap_ms", percentiles_json(r.gap_ms)},
         {"result_delay_ms", percentiles_json(r.result_delay_ms)},
         {"effect_delay_ms", percentiles_json(r.effect_delay_ms)},
+        {"user_messages", r.user_messages},
+        {"messages_missed", r.messages_missed},
+        {"message_delay_ms", percentiles_json(r.message_delay_ms)},
         {"age_window_seconds", LoadMetrics::window_s},
         {"age_windows_ms", windows},
         {"errors", r.errors},

@@ -18,10 +18,11 @@ struct Report {
     std::uint64_t inputs_sent = 0, inputs_accepted = 0, snapshots = 0;
     double kbit_per_second_per_client = 0, snapshots_per_second_per_client = 0;
     double messages_per_second_per_client = 0;
+    std::uint64_t user_messages = 0, messages_missed = 0;
     double snapshot_bytes = 0;  // mean; 0: not measured
     double decoded_share = 0;   // share of the snapshots whose CRC was verified
     double frozen_share = 0;    // of the rendered frames; 0: none was rendered
-    Percentiles age_ms, gap_ms, result_delay_ms, effect_delay_ms;
+    Percentiles age_ms, gap_ms, result_delay_ms, effect_delay_ms, message_delay_ms;
     std::vector<Percentiles> age_windows_ms;  // in intervals of 10 s
     std::uint64_t errors = 0;
     std::optional<double>

@@ -29,7 +29,8 @@ Examples:
   jostle-replay yard.rec                              # summarize the recording
   jostle-replay yard.rec --at 1234                    # print the poses in a tick
 
-The program joins as a spectator and records what any client receives: bodies, channels and events.
+The program joins as a spectator and records what any spectator receives: bodies, channels, events,
+players, attributes and the user messages to all.
 Every --keyframe-seconds it requests a keyframe, at which playback can start. A recording can be
 played while it is written, and after a crash except for at most the last second. It ends when the
 server, the world or the connection ends.
@@ -42,7 +43,7 @@ struct Flags {
     std::string target = "localhost:50051", world, ticket, file;
     double seconds = 0, keyframe_seconds = 5;
     std::uint32_t snapshot_hz = 0;
-    bool replace = false, no_events = false;
+    bool replace = false, no_events = false, no_data = false;
 };
 
 void add_flags(CLI::App& app, Flags& flags) {
@@ -68,8 +69,14 @@ void add_flags(CLI::App& app, Flags& flags) {
                    "Request HZ snapshots per second; 0 is the tick rate [default: 0]")
         ->type_name("HZ");
     app.add_flag("--no-events", flags.no_events, "Do not record events");
+    app.add_flag("--no-data", flags.no_data, "Do not record players, attributes and user messages");
     app.add_flag("--replace", flags.replace, "Overwrite an existing file");
     app.footer(footer);
+}
+
+std::vector<std::string> topics_of(const Flags& flags) {
+    if (flags.no_data) return {};
+    return {"*"};
 }
 
 jostle::client::ClientOptions options_of(const Flags& flags, Recorder& recorder) {
@@ -81,6 +88,9 @@ jostle::client::ClientOptions options_of(const Flags& flags, Recorder& recorder)
             .spectator = true,
             .events = !flags.no_events,
             .channels = {"*"},
+            .players = !flags.no_data,
+            .attributes = !flags.no_data,
+            .topics = topics_of(flags),
             // Earlier versions of jostle-replay read the recording.
             .packed_entities = false,
             .reconnect = false,

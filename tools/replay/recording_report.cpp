@@ -80,6 +80,12 @@ std::string to_text(const client::RecordingReader& recording, const client::Reco
     for (const auto& [kind, count] : s.messages)
         text += line((kind + " messages").c_str(),
                      format_text("%llu", static_cast<unsigned long long>(count)));
+    const auto count = [](std::uint64_t number) {
+        return format_text("%llu", static_cast<unsigned long long>(number));
+    };
+    if (s.player_events > 0) text += line("player events", count(s.player_events));
+    if (s.attribute_updates > 0) text += line("attribute updates", count(s.attribute_updates));
+    if (s.user_messages > 0) text += line("user messages", count(s.user_messages));
     if (!recording.truncation_reason().empty())
         text += line("truncated", recording.truncation_reason());
     if (!s.first_error.empty()) text += line("corrupt", s.first_error);
@@ -102,6 +108,9 @@ std::string to_json(const client::RecordingReader& recording, const client::Reco
                    {"keyframes", s.keyframes},
                    {"keyframe_bytes", s.keyframe_bytes},
                    {"messages", s.messages},
+                   {"player_events", s.player_events},
+                   {"attribute_updates", s.attribute_updates},
+                   {"user_messages", s.user_messages},
                    {"truncation", recording.truncation_reason()},
                    {"damaged", s.first_error}});
 }

@@ -110,13 +110,18 @@ Result<PersistedWorld::Verification> PersistedWorld::verify() {
     const auto ticks = store_->checkpoint_ticks(stored_.id);
     if (!ticks.ok()) return ticks.error();
     Verification verification{.errors = damage_};
-    std::map<std::uint32_t, std::uint64_t> hashes;
+    std::map<std::uint32_t, std::uint64_t> hashes, data_hashes;
     for (const std::uint32_t tick : *ticks) {
         const auto checkpoint = store_->checkpoint(stored_.id, tick);
-        if (checkpoint.ok())
-            hashes[tick] = checkpoint->hash;
-        else
+        if (!checkpoint.ok()) {
             verification.errors.push_back(checkpoint.error().message);
+            continue;
+        }
+        hashes[tick] = checkpoint->hash;
+        // The replay reports checkpoints that cannot be decoded.
+        if (const auto decoded = server::decode_checkpoint(checkpoint->exact, checkpoint->hash);
+            decoded.ok())
+            data_hashes[tick] = server::data_hash(decoded->host_state);
     }
     const auto compare = [&](const server::HostedWorld& world, std::uint32_t tick) {
         const auto at = hashes.find(tick);
@@ -125,6 +130,10 @@ Result<PersistedWorld::Verification> PersistedWorld::verify() {
         if (physics::state_hash(world.world()) != at->second)
             verification.errors.push_back("the checkpoint of tick " + std::to_string(tick) +
                                           " differs from the replayed world");
+        const auto data = data_hashes.find(tick);
+        if (data != data_hashes.end() && world.data_hash() != data->second)
+            verification.errors.push_back("the players or attributes of the checkpoint of tick " +
+                                          std::to_string(tick) + " differ from the replayed world");
     };
     const auto world = replay_from_first({.after_tick = compare});
     if (!world.ok()) return world.error();

@@ -9,6 +9,7 @@
 
 #include "jostle/modules/cloth.h"
 #include "jostle/modules/mass_points.h"
+#include "jostle/modules/ray_tests.h"
 #include "jostle/physics/scalar.h"
 #include "modules/cloth/src/cloth_data.h"
 #include "modules/cloth/src/cloth_step.h"
@@ -32,24 +33,6 @@ double mass_of(const Sheet& sheet) {
     double sum = 0;
     for (const double mass : sheet.topology().masses) sum += mass;
     return sum;
-}
-
-struct TriangleHit {
-    double fraction = 0;
-    std::size_t corner = 0;  // the nearest one
-};
-
-// Where a ray meets a triangle, from either side (T. Moeller, B. Trumbore, "Fast, minimum storage
-// ray-triangle intersection", 1997).
-std::optional<TriangleHit> meet(const Ray& ray, const std::array<Vec3, 3>& p) {
-    const Vec3 e1 = p[1] - p[0], e2 = p[2] - p[0], q = cross(ray.motion, e2);
-    const double det = dot(e1, q);
-    if (absolute(det) < 1e-14 * length(ray.motion) * length(e1) * length(e2)) return std::nullopt;
-    const Vec3 from = ray.origin - p[0], r = cross(from, e1);
-    const double u = dot(from, q) / det, v = dot(ray.motion, r) / det, t = dot(e2, r) / det;
-    if (!(u >= 0 && v >= 0 && u + v <= 1 && t >= 0 && t <= 1)) return std::nullopt;
-    const double first = 1 - u - v;
-    return TriangleHit{t, first >= u && first >= v ? 0u : u >= v ? 1u : 2u};
 }
 
 bool may_meet(const Ray& ray, const Sheet& sheet) {
@@ -103,8 +86,9 @@ std::optional<DeformableHit> Cloths::cast_ray(const Ray& ray) const {
         const Sheet& sheet = cloth->sheet;
         if (!may_meet(ray, sheet)) continue;
         for (const auto& corners : sheet.topology().triangles) {
-            const auto hit = meet(ray, {sheet.position(corners[0]), sheet.position(corners[1]),
-                                        sheet.position(corners[2])});
+            const auto hit =
+                meet_triangle(ray, {sheet.position(corners[0]), sheet.position(corners[1]),
+                                    sheet.position(corners[2])});
             if (!hit || (first && hit->fraction >= first->fraction)) continue;
             first = DeformableHit{{cloth->key.number, corners[hit->corner]},
                                   hit->fraction,

@@ -6,6 +6,7 @@
 #include <utility>
 
 #include "jostle/modules/mass_points.h"
+#include "jostle/modules/ray_tests.h"
 #include "jostle/modules/rope.h"
 #include "jostle/physics/scalar.h"
 #include "modules/rope/src/rope_data.h"
@@ -35,28 +36,6 @@ double mass_of(const Strand& strand) {
     return strand.mass_per_length * length;
 }
 
-// Where a ray enters the cylinder of a radius around a segment, as a fraction of its motion.
-// `share` is the position along the segment.
-std::optional<double> enter(const Ray& ray, Vec3 a, Vec3 b, double radius, double& share) {
-    const Vec3 along = b - a, from = ray.origin - a;
-    const double mm = length_squared(ray.motion), ll = length_squared(along);
-    const double ml = dot(ray.motion, along), det = mm * ll - ml * ml;
-    const auto best_share = [&](double s) {
-        return ll > 0 ? clamp(dot(from + ray.motion * s, along) / ll, 0, 1) : 0;
-    };
-    // The closest points of both lines, then of both segments.
-    double s = det > 1e-12 * mm * ll
-                   ? clamp((ml * dot(from, along) - ll * dot(from, ray.motion)) / det, 0, 1)
-                   : 0;
-    share = best_share(s);
-    s = clamp(dot(a + along * share - ray.origin, ray.motion) / mm, 0, 1);
-    share = best_share(s);
-    const double apart2 = length_squared(ray.origin + ray.motion * s - a - along * share);
-    if (!(apart2 <= radius * radius)) return std::nullopt;
-    const double across = ll > 0 ? maximum(det / ll, 1e-12 * mm) : mm;
-    return maximum(s - square_root((radius * radius - apart2) / across), 0);
-}
-
 bool is_attached(const Rope& rope, std::uint32_t node) {
     return std::ranges::binary_search(rope.attachments, node, {}, &RopeAttachment::node);
 }
@@ -68,14 +47,13 @@ std::optional<DeformableHit> Ropes::cast_ray(const Ray& ray) const {
     for (const auto& rope : ropes_) {
         const Strand& strand = rope->strand;
         for (std::size_t k = 0; k < strand.links(); k++) {
-            double share = 0;
-            const auto fraction =
-                enter(ray, strand.positions[k], strand.positions[k + 1], rope->def.radius, share);
-            if (!fraction || (first && *fraction >= first->fraction)) continue;
+            const auto hit =
+                enter_link(ray, strand.positions[k], strand.positions[k + 1], rope->def.radius);
+            if (!hit || (first && hit->fraction >= first->fraction)) continue;
             first = DeformableHit{
-                {rope->key.number, static_cast<std::uint32_t>(share < 0.5 ? k : k + 1)},
-                *fraction,
-                ray.origin + ray.motion * *fraction};
+                {rope->key.number, static_cast<std::uint32_t>(hit->share < 0.5 ? k : k + 1)},
+                hit->fraction,
+                ray.origin + ray.motion * hit->fraction};
         }
     }
     return first;

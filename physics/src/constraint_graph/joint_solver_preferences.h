@@ -53,6 +53,9 @@ struct JointSolverOptions {
     std::span<const JointSolverPreferences> preferences;
     JointSolver of_world = JointSolver::automatic;
     std::int64_t budget = 0;  // per joint that requests `direct`
+    // Indexed like JointLevels::joints: whether it connects a body that may not move along some
+    // axis. Empty if none does.
+    std::span<const std::uint8_t> locked = {};
 };
 
 }  // namespace jostle::physics

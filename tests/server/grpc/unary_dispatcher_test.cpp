@@ -127,7 +127,8 @@ TEST_F(UnaryDispatcherTest, slow_calls_fill_only_their_own_queue) {
             return worlds_stub->CreateWorld(&call, {}, &response);
         }));
     int refused = 0;
-    for (const auto until = Clock::now() + 10s; refused < 8 && Clock::now() < until;) {
+    for (const auto until = Clock::now() + 10s;
+         (refused < 8 || waiting < 1) && Clock::now() < until;) {
         refused = 0;
         for (auto& create : creates)
             refused += create.wait_for(0s) == std::future_status::ready ? 1 : 0;

@@ -60,6 +60,34 @@ TEST_F(HttpRoutesTest, lists_worlds_and_scenes) {
     EXPECT_EQ(json.at("scenes").size(), scenes::catalog().size());
 }
 
+TEST_F(HttpRoutesTest, joins_lists_and_creates_rooms) {
+    const std::string body = R"({"filter": {"tags": ["race"]},
+                                 "create": {"sceneName": "stack", "room": {"tags": ["race"]}}})";
+    const HttpResponse created = send("POST", "/api/join-or-create", body);
+    EXPECT_EQ(created.status, 201) << created.body;
+    const HttpResponse joined = send("POST", "/api/join-or-create", body);
+    EXPECT_EQ(joined.status, 200);
+    const auto world = nlohmann::json::parse(joined.body).at("join").at("world");
+    EXPECT_EQ(nlohmann::json::parse(created.body).at("join").at("world").at("id"), world.at("id"));
+    const auto names = [&](const std::string& query) {
+        const HttpResponse listed = send("GET", "/api/worlds" + query);
+        EXPECT_EQ(listed.status, 200) << listed.body;
+        std::vector<std::string> ids;
+        const auto json = nlohmann::json::parse(listed.body);
+        for (const auto& one : json.at("worlds")) ids.push_back(one.at("id"));
+        return ids;
+    };
+    EXPECT_EQ(names("?tags=race&not_full=1"), (std::vector<std::string>{world.at("id")}));
+    EXPECT_EQ(names("?tags=race,cars"), (std::vector<std::string>{}));
+    EXPECT_EQ(names("?limit=1"), (std::vector<std::string>{"w1"}));
+    EXPECT_EQ(send("GET", "/api/worlds?not_full=yes").status, 400);
+    const std::string path = "/api/worlds/" + world.at("id").get<std::string>() + "/join";
+    const HttpResponse ticket = send("POST", path, "{}");
+    EXPECT_EQ(nlohmann::json::parse(ticket.body).at("ticket").get<std::string>().size(), 32u);
+    EXPECT_EQ(send("GET", path).status, 405);
+    EXPECT_EQ(send("POST", "/api/worlds/w99/join", "{}").status, 404);
+}
+
 TEST_F(HttpRoutesTest, resumes_a_paused_world) {
     worlds.find("w1")->pause("for a test");
     EXPECT_EQ(send("GET", "/api/worlds/w1/resume").status, 200) << "the caller may resume it";

@@ -77,6 +77,8 @@ TEST(ServerMessage, channel_delta_and_crc_are_in_the_shared_piece) {
     const auto message = parse(encode_snapshot_header({}, "", shared.size()) + shared);
     EXPECT_EQ(message.snapshot().channels(), std::string("\x00\xff", 2));
     EXPECT_EQ(message.snapshot().channels_crc(), 0xdeadbeef);
+    EXPECT_EQ(channels_size(shared), shared.size() - without.size());
+    EXPECT_EQ(channels_size(without), 0u);
 }
 
 TEST(ServerMessage, welcome_lists_channel_kinds) {

@@ -41,21 +41,29 @@ SpawnCommand stone(test::Random& random) {
 Action any_action(test::Random& random) {
     const auto entity = static_cast<EntityId>(1 + random.below(120));
     const Aim aim{random.vector(9) + physics::Vec3{0, 9, 0}, random.vector(20)};
-    const Action actions[] = {stone(random),
-                              ImpulseCommand{entity, random.vector(30), random.vector(3)},
-                              ImpulseCommand{0, random.vector(30), {}, aim},
-                              GrabCommand{entity, random.vector(3)},
-                              GrabCommand{0, {}, aim},
-                              CutCommand{.point_object = 3},
-                              DragCommand{random.vector(5)},
-                              ReleaseCommand{},
-                              DeleteCommand{entity},
-                              ExplodeCommand{random.vector(6), 4, 6},
-                              ExplodeCommand{{}, 4, 6, aim},
-                              PossessCommand{entity},
-                              ControlCommand{{.axes = {0.5, -1}, .buttons = 3}},
-                              DisconnectCommand{},
-                              LeaveCommand{random.below(2) == 0}};
+    const Action actions[] = {
+        stone(random),
+        ImpulseCommand{entity, random.vector(30), random.vector(3)},
+        ImpulseCommand{0, random.vector(30), {}, aim},
+        GrabCommand{entity, random.vector(3)},
+        GrabCommand{0, {}, aim},
+        CutCommand{.point_object = 3},
+        DragCommand{random.vector(5)},
+        ReleaseCommand{},
+        DeleteCommand{entity},
+        ExplodeCommand{random.vector(6), 4, 6},
+        ExplodeCommand{{}, 4, 6, aim},
+        PossessCommand{entity},
+        ControlCommand{{.axes = {0.5, -1}, .buttons = 3}},
+        DisconnectCommand{},
+        JoinCommand{"name", PlayerRole::builder, 0x123456, 5},
+        RenameCommand{"other name"},
+        SetRoleCommand{1, PlayerRole::owner},
+        SetAttributesCommand{{AttributeTargetKind::entity, entity},
+                             {{"key", random.vector(3)}, {"gone", {}}}},
+        SetAttributesCommand{{AttributeTargetKind::player, 2}, {{"text", std::string("value")}}},
+        SendMessageCommand{"chat", "hello", {1, 3}},
+        LeaveCommand{random.below(2) == 0}};
     return actions[random.below(std::size(actions))];
 }
 
@@ -154,6 +162,64 @@ TEST(JournalCodec, targets_on_ropes_and_cloths_need_version_5) {
     EXPECT_FALSE(read.undo);
 }
 
+TEST(JournalCodec, room_commands_need_version_7) {
+    const JournalSegment written{
+        .ticks = {{4,
+                   {{1, 0, RoomCommand{EnterRoom{"subject/ada", false, false}}},
+                    {1, 1, CutCommand{.deformable = DeformableTarget{"rope", 3, 14}}},
+                    {1, 2, RoomCommand{BanClient{7, 2.5, "spam"}}}}}},
+        .paused_ticks = {}};
+    const std::string bytes = encode_journal(written);
+    EXPECT_EQ(bytes[0], 7);
+    const JournalSegment read = decode_journal(bytes).value();
+    const auto& commands = read.ticks.at(0).commands;
+    const auto room_command = [&](std::size_t index) {
+        return std::get<RoomCommand>(*commands.at(index).action);
+    };
+    EXPECT_EQ(std::get<EnterRoom>(room_command(0).kind).member, "subject/ada");
+    EXPECT_EQ(std::get<BanClient>(room_command(2).kind).seconds, 2.5);
+    for (std::size_t size = 0; size < bytes.size(); size++)
+        EXPECT_FALSE(decode_journal(bytes.substr(0, size)).ok());
+}
+
+TEST(JournalCodec, players_attributes_and_messages_need_version_6) {
+    const SetAttributesCommand attributes{{AttributeTargetKind::entity, 7},
+                                          {{"a", true},
+                                           {"b", std::int64_t{-5}},
+                                           {"c", 0.25, AttributeVisibility::roles, 8},
+                                           {"d", std::string("text"), AttributeVisibility::owner},
+                                           {"e", physics::Vec3{1, 2, 3}},
+                                           {"f", std::nullopt}}};
+    const JournalSegment written{
+        .ticks = {{4,
+                   {{1, 0, JoinCommand{"ann", PlayerRole::builder, 0xff0000, 4}},
+                    {1, 1, RenameCommand{"anna"}},
+                    {0, 0, SetRoleCommand{1, PlayerRole::owner}},
+                    {1, 2, attributes},
+                    {1, 3, SendMessageCommand{"chat", "hello", {1, 2}}},
+                    {1, 4, SendMessageCommand{"game", "ready", {}, true}}}}},
+        .paused_ticks = {}};
+    const std::string bytes = encode_journal(written);
+    EXPECT_EQ(bytes[0], 6);
+    const JournalSegment read_segment = decode_journal(bytes).value();
+    const auto& commands = read_segment.ticks.at(0).commands;
+    const auto& join = std::get<JoinCommand>(*commands.at(0).action);
+    EXPECT_EQ(join.name + std::to_string(*join.color), "ann16711680");
+    EXPECT_EQ(join.role, PlayerRole::builder);
+    EXPECT_EQ(join.tick, 4u);
+    EXPECT_EQ(std::get<RenameCommand>(*commands.at(1).action).name, "anna");
+    EXPECT_EQ(std::get<SetRoleCommand>(*commands.at(2).action).role, PlayerRole::owner);
+    const auto& read = std::get<SetAttributesCommand>(*commands.at(3).action);
+    EXPECT_EQ(read.target, attributes.target);
+    EXPECT_EQ(read.changes, attributes.changes);
+    EXPECT_EQ(std::get<SendMessageCommand>(*commands.at(4).action).to,
+              (std::vector<ClientId>{1, 2}));
+    EXPECT_TRUE(std::get<SendMessageCommand>(*commands.at(5).action).to_server);
+    const std::string old =
+        encode_journal({.ticks = {{4, {{1, 1, ReleaseCommand{}}}}}, .paused_ticks = {}});
+    EXPECT_EQ(old[0], 3) << "older servers read a journal without them";
+}
+
 TEST(JournalCodec, truncated_or_changed_bytes_are_rejected_or_read_within_bounds) {
     HostedWorld world = sandbox();
     const std::string whole = encode_journal(play(world, 12));
@@ -161,8 +227,8 @@ TEST(JournalCodec, truncated_or_changed_bytes_are_rejected_or_read_within_bounds
         EXPECT_EQ(error_of(decode_journal(whole.substr(0, size))).code, ErrorCode::corrupt_data);
     EXPECT_EQ(error_of(decode_journal(whole + "x")).message,
               "corrupt journal record: data after the end");
-    EXPECT_EQ(error_of(decode_journal("\x07")).message,
-              "corrupt journal record: version 7; this server reads versions 2 to 5");
+    EXPECT_EQ(error_of(decode_journal("\x08")).message,
+              "corrupt journal record: version 8; this server reads versions 2 to 7");
     test::Random random(5);
     int read = 0;
     for (int k = 0; k < 2000; k++) {

@@ -101,6 +101,23 @@ std::uint64_t hash_of(WorldHost& world) {
     return hash;
 }
 
+// The room of a world that the test ticks and that hash_of() paused.
+RoomState room_of(WorldHost& world) {
+    std::optional<RoomState> room;
+    std::atomic<bool> done = false;
+    std::jthread visitor([&] {
+        world.between_ticks()
+            .run([&](HostedWorld& hosted) { room = hosted.room()->state(); })
+            .expect();
+        done = true;
+    });
+    while (!done) {
+        world.tick(Clock::now());
+        std::this_thread::sleep_for(1ms);
+    }
+    return *room;
+}
+
 struct RecoveredState {
     std::uint32_t tick = 0;
     std::uint64_t hash = 0;
@@ -338,6 +355,49 @@ TEST(WorldArchive, rewind_preserves_the_history_in_between) {
             recover_world(*store, stored, record, {.checkpoint = checkpoint}).value();
         EXPECT_TRUE(found.warnings.empty()) << found.warnings.front();
         EXPECT_EQ(state_hash(found.world.world()), at_the_end) << "from " << checkpoint;
+    }
+}
+
+TEST(WorldArchive, room_is_identical_after_a_killed_process_and_a_reset) {
+    const test::TempFolder folder;
+    const auto reply = std::make_shared<ResultQueue>();
+    const auto command = [](WorldHost& world, RoomCommand about_room) {
+        world.mailbox().push({.client = 1,
+                              .sequence = world.frame()->tick + 1,
+                              .action = std::move(about_room),
+                              .reply = nullptr});
+        world.tick(Clock::now());
+    };
+    std::uint64_t hash = 0;
+    RoomState room;
+    for (int run = 0; run < 3; run++) {
+        Process process(folder / "worlds.db");
+        std::shared_ptr<WorldHost> world = process.worlds->find("yard");
+        if (run == 0) {
+            RoomProperties properties;
+            ASSERT_TRUE(set_quota(properties, "player.energy_per_second", 500).ok());
+            world = process.worlds->create("yard", *scenes::find_scene("stack"), "ada", properties)
+                        .value();
+            world->mailbox().enter(1, {.member = "subject/ada"});
+            world->mailbox().enter(2, {.member = "subject/eve"});
+        } else {
+            ASSERT_TRUE(world);
+            EXPECT_EQ(hash_of(*world), hash);
+            EXPECT_EQ(room_of(*world), room);
+            world->resume();
+        }
+        Process::play(*world, 50, reply);
+        if (run == 0) command(*world, {ProtectArea{{"tower", {-1, 0, -1}, {1, 9, 1}}}});
+        if (run == 1) world = process.worlds->reset(world).value();
+        command(*world, {MuteClient{2, 60}});
+        Process::play(*world, 20, reply);
+        hash = hash_of(*world);
+        room = room_of(*world);
+        EXPECT_EQ(room.clients.size(), 2u);
+        EXPECT_EQ(room.properties.areas.size(), 1u);
+        EXPECT_NE(room.clients[1].muted_until, 0u);
+        ASSERT_TRUE(process.archive->flush(5s));
+        process.kill();
     }
 }
 

@@ -297,6 +297,43 @@ TEST_F(AdminControlTest, profiles_for_the_requested_duration) {
     EXPECT_NE(response.trace().find("\"name\":\"update_pairs\""), std::string::npos);
 }
 
+TEST_F(AdminControlTest, moderates_a_room_without_its_restrictions) {
+    ASSERT_TRUE(worlds.create("room", *scenes::find_scene("stack"), "ada", RoomProperties{}).ok());
+    const auto world = worlds.find("room");
+    world->mailbox().enter(7, {.member = "subject/eve"});
+    v1::ModerateRoomRequest request;
+    v1::ModerateRoomResponse response;
+    request.set_world("room");
+    request.mutable_command()->mutable_ban()->set_client(7);
+    request.mutable_command()->mutable_ban()->set_reason("spamming");
+    const auto deadline = Clock::now() + 5s;
+    while (!world->frame()->room->find(7) && Clock::now() < deadline)
+        std::this_thread::sleep_for(1ms);
+    ASSERT_TRUE(control.moderate_room(request, response).ok());
+    while (world->frame()->room->bans.empty() && Clock::now() < deadline)
+        std::this_thread::sleep_for(1ms);
+    v1::GetRoomRequest of;
+    of.set_world("room");
+    v1::GetRoomResponse room;
+    ASSERT_TRUE(control.get_room(of, room).ok());
+    EXPECT_EQ(room.owner(), "subject/ada");
+    ASSERT_EQ(room.members_size(), 1);
+    EXPECT_TRUE(room.members(0).removed());
+    ASSERT_EQ(room.bans_size(), 1);
+    EXPECT_EQ(room.bans(0).member(), "subject/eve");
+    EXPECT_TRUE(room.bans(0).permanent());
+    request.mutable_command()->mutable_kick()->set_client(99);
+    EXPECT_EQ(error_of(control.moderate_room(request, response)).code, ErrorCode::not_found);
+    request.mutable_command()->mutable_pause()->set_paused(true);
+    EXPECT_EQ(error_of(control.moderate_room(request, response)).code, ErrorCode::invalid_argument);
+    request.set_world("arena");
+    request.mutable_command()->mutable_reset();
+    EXPECT_EQ(error_of(control.moderate_room(request, response)).code,
+              ErrorCode::failed_precondition);
+    of.set_world("arena");
+    EXPECT_EQ(error_of(control.get_room(of, room)).code, ErrorCode::failed_precondition);
+}
+
 TEST_F(AdminControlTest, limits_concurrent_blocking_calls) {
     std::vector<std::thread> waiting;
     std::atomic<int> refused{0};

@@ -8,6 +8,7 @@
 #include <cmath>
 #include <limits>
 
+#include "jostle/scenes/catalog.h"
 #include "jostle/scenes/scene_file.h"
 #include "jostle/v1/query.pb.h"
 #include "tests/server/server_parts.h"
@@ -346,6 +347,63 @@ TEST_F(QueryControlTest, returns_unavailable_for_stopped_and_not_found_for_missi
     error = error_of(queries.cast_rays(elsewhere, response));
     EXPECT_EQ(error.code, ErrorCode::not_found);
     EXPECT_EQ(error.message, "there is no world \"elsewhere\"");
+}
+
+class QueryDeformablesTest : public testing::Test, protected ServerParts {
+protected:
+    QueryDeformablesTest() : ServerParts(10, 2) {}
+    void SetUp() override { ASSERT_TRUE(worlds.create("", *scenes::find_scene("flag")).ok()); }
+
+    QueryControl queries{context};
+};
+
+// The flag is 1.8 m long and 1.2 m high; its upper corner is at (0, 4.9, 0).
+TEST_F(QueryDeformablesTest, all_queries_find_a_flag_if_they_ask_for_deformables) {
+    v1::CastRaysRequest rays;
+    v1::CastShapesRequest shapes;
+    v1::OverlapRequest overlap;
+    v1::ClosestPointsRequest points;
+    v1::ClosestPointsResponse closest;
+    points.set_max_distance(100);
+    points.add_points()->set_y(4.3);
+    points.mutable_points(0)->set_x(0.6);
+    points.mutable_filter()->set_include_deformables(true);
+    ASSERT_TRUE(queries.closest_points(points, closest).ok());
+    const std::uint32_t flag = closest.points(0).object();
+    ASSERT_NE(flag, 0u) << closest.DebugString();
+    const v1::Vec3& at = closest.points(0).point();
+
+    v1::Ray& ray = *rays.add_rays();
+    *ray.mutable_origin() = at;
+    ray.mutable_origin()->set_z(at.z() + 1);
+    ray.mutable_motion()->set_z(-2);
+    v1::MovingShape& moving = *shapes.add_shapes();
+    moving.mutable_shape()->mutable_sphere()->set_radius(0.1);
+    *moving.mutable_shape()->mutable_position() = ray.origin();
+    *moving.mutable_motion() = ray.motion();
+    *overlap.mutable_shape() = moving.shape();
+    *overlap.mutable_shape()->mutable_position() = at;
+    for (const bool wanted : {false, true}) {
+        rays.mutable_filter()->set_include_deformables(wanted);
+        shapes.mutable_filter()->set_include_deformables(wanted);
+        overlap.mutable_filter()->set_include_deformables(wanted);
+        v1::CastRaysResponse along_rays;
+        v1::CastShapesResponse along_shapes;
+        v1::OverlapResponse inside;
+        ASSERT_TRUE(queries.cast_rays(rays, along_rays).ok());
+        ASSERT_TRUE(queries.cast_shapes(shapes, along_shapes).ok());
+        ASSERT_TRUE(queries.overlap(overlap, inside).ok());
+        const auto objects = [](const v1::Hits& hits) {
+            std::vector<std::uint32_t> found;
+            for (const v1::Hit& hit : hits.hits())
+                if (hit.object() != 0) found.push_back(hit.object());
+            return found;
+        };
+        const Ids expected = wanted ? Ids{flag} : Ids{};
+        EXPECT_EQ(objects(along_rays.rays(0)), expected);
+        EXPECT_EQ(objects(along_shapes.shapes(0)), expected);
+        EXPECT_EQ(Ids(inside.objects().begin(), inside.objects().end()), expected);
+    }
 }
 
 }  // namespace

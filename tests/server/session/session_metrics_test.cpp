@@ -98,6 +98,11 @@ TEST_F(SessionMetricsTest, counts_snapshots_clients_and_inputs) {
         ASSERT_EQ(sights.size(), 1u);
         EXPECT_GT(sights[0].round_trip_ms, 0);
     }
+    EXPECT_GT(metrics.sent_bytes[TrafficKind::poses].Value(), 0);
+    EXPECT_GT(metrics.sent_bytes[TrafficKind::entities].Value(), 0);
+    EXPECT_GT(metrics.sent_bytes[TrafficKind::statistics].Value(), 0);
+    EXPECT_GT(metrics.sent_bytes[TrafficKind::replies].Value(), 0) << "the welcome";
+    EXPECT_EQ(metrics.sent_bytes[TrafficKind::events].Value(), 0) << "not requested";
     EXPECT_EQ(clients(), 0);
     EXPECT_TRUE(context.connected_clients.status(Clock::now()).empty());
 }

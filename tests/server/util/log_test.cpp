@@ -52,6 +52,21 @@ TEST_F(LogTest, json_lines_contain_time_level_and_message) {
     EXPECT_NE(all.find("Z\","), std::string::npos) << "UTC";
 }
 
+TEST_F(LogTest, tail_has_the_newest_lines_after_a_number) {
+    start_log({.descriptor = ends_[1]});
+    for (int i = 1; i <= 600; i++) log_info("line {}", i);
+    log_warn("the last");
+    stop_log();
+    const std::vector<LogLine> all = log_tail(0);
+    ASSERT_EQ(all.size(), log_tail_lines);
+    EXPECT_EQ(all.back().number, 601u);
+    EXPECT_EQ(all.back().level, "warning");
+    EXPECT_EQ(all.back().text, "the last");
+    EXPECT_EQ(all.front().number, 102u);
+    EXPECT_EQ(log_tail(600).size(), 1u);
+    EXPECT_TRUE(log_tail(601).empty());
+}
+
 TEST_F(LogTest, logging_never_blocks_and_counts_dropped_lines) {
     start_log({.descriptor = ends_[1]});
     const auto began = std::chrono::steady_clock::now();

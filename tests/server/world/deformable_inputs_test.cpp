@@ -4,6 +4,8 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <chrono>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -126,6 +128,50 @@ TEST_F(DeformableInputs, aim_hits_a_rope_before_the_ground) {
     const std::size_t before = ropes().ropes().size();
     EXPECT_TRUE(apply(CutCommand{.aim = aim}).status.ok());
     EXPECT_EQ(ropes().ropes().size(), before + 1);
+}
+
+// A push moves the rope away from where the client still renders it.
+TEST_F(DeformableInputs, aim_with_a_view_time_hits_the_rope_of_that_time) {
+    start("swings");
+    const PointObjectDescription rope = object(physics::PointForm::strands);
+    const auto put_frame = [&] {
+        auto frame = std::make_shared<Frame>();
+        frame->tick = tick;
+        frame->due = Clock::time_point() + std::chrono::milliseconds(17) * frame->tick;
+        world->copy_into(*frame);
+        world->frame_history().put(std::move(frame), true);
+    };
+    put_frame();
+    const std::uint32_t then = tick;
+    const Vec3 at = (node(rope.key, 3) + node(rope.key, 4)) * 0.5;
+    Aim aim{.origin = at + Vec3{0, 0.2, 1}, .motion = {0, -0.4, -2}};
+    ASSERT_TRUE(apply(ImpulseCommand{.impulse = {20, 0, 0}, .aim = aim}).status.ok());
+    for (int k = 0; k < 10; k++) {
+        step();
+        put_frame();
+    }
+    ASSERT_GT(length(node(rope.key, 3) - at), 0.1) << "the rope moved";
+    const std::size_t before = ropes().ropes().size();
+    EXPECT_FALSE(apply(CutCommand{.aim = aim}).status.ok());
+    aim.view_time = ViewTime{then, 0};
+    EXPECT_TRUE(apply(CutCommand{.aim = aim}).status.ok());
+    EXPECT_EQ(ropes().ropes().size(), before + 1);
+    const std::size_t links = ropes().positions({rope.key}).size() - 1;
+    EXPECT_TRUE(links == 3 || links == 4) << "cut next to the third link: " << links;
+}
+
+// Cloth is published in every second tick.
+TEST_F(DeformableInputs, first_points_do_not_wait_for_the_ticks_of_their_kind) {
+    start("flag");
+    world->publish_points(false);
+    step(2);
+    world->publish_points(true);
+    step();
+    Frame frame;
+    frame.tick = tick - 1;
+    world->copy_into(frame);
+    EXPECT_EQ(frame.tick, 4u);
+    EXPECT_EQ(frame.points->size(), 3u);
 }
 
 TEST_F(DeformableInputs, refusals_name_what_is_wrong) {

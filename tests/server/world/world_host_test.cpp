@@ -71,6 +71,43 @@ TEST(WorldHost, scheduled_inputs_wait_for_their_tick_and_report_margin) {
     }
 }
 
+TEST(WorldHost, a_pause_does_not_concern_names_attributes_and_messages) {
+    WorldHostSettings settings;
+    settings.own_ticks = false;
+    settings.user_message_bytes_per_second = 100;
+    const auto host = *WorldHost::start("w1", "test", *scenes::find_scene("stack"), settings);
+    const auto queue = std::make_shared<ResultQueue>();
+    std::uint32_t sequence = 0;
+    Clock::time_point now = host->properties().epoch;
+    const auto apply = [&](Action action) {
+        host->mailbox().push(
+            {.client = 3, .sequence = ++sequence, .action = std::move(action), .reply = queue});
+        host->tick(now += 16ms);
+        return queue->take().at(0).status;
+    };
+    host->mailbox().join(3, {.name = "cy"});
+    host->pause("by a test");
+    EXPECT_TRUE(apply(RenameCommand{"zoe"}).ok());
+    EXPECT_EQ(host->frame()->players->find(3)->name, "zoe");
+    EXPECT_EQ(host->frame()->players->find(3)->joined_tick, 2u);
+    EXPECT_TRUE(apply(SetAttributesCommand{{AttributeTargetKind::player, 3}, {{"x", true}}}).ok());
+    EXPECT_TRUE(apply(SendMessageCommand{"chat", "hello"}).ok());
+    EXPECT_EQ(apply(ReleaseCommand{}).error().message, "the world is paused: by a test");
+    EXPECT_EQ(host->frame()->messages->count, 1u);
+    // The burst has space for 131072 bytes.
+    for (int k = 0; k < 2; k++)
+        EXPECT_TRUE(apply(SendMessageCommand{"chat", std::string(65'000, 'x')}).ok());
+    const Status refused = apply(SendMessageCommand{"chat", std::string(65'000, 'x')});
+    ASSERT_FALSE(refused.ok());
+    EXPECT_EQ(refused.error().code, ErrorCode::resource_exhausted);
+    EXPECT_NE(refused.error().message.find("world.user_message_bytes_per_second"),
+              std::string::npos);
+    EXPECT_GT(refused.error().retry_after_ms, 600'000);
+    host->mailbox().leave(3, false);
+    host->tick(now += 16ms);
+    EXPECT_TRUE(host->frame()->players->players.empty());
+}
+
 TEST(WorldHost, ticks_manually_without_a_thread) {
     int frames = 0;
     WorldHostSettings settings;

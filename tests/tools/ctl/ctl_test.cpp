@@ -214,6 +214,29 @@ TEST_F(CtlTest, lists_creates_and_deletes_worlds) {
     EXPECT_TRUE(complains("arena")) << err;
 }
 
+TEST_F(CtlTest, creates_shows_and_moderates_a_room) {
+    write("room.json", R"({"title": "Yard", "tags": ["build"], "capacity": 4})");
+    ASSERT_EQ(run("world create yard --scene stack --room " + file("room.json")), 0) << err;
+    ASSERT_EQ(run("worlds --tags build --not-full"), 0) << err;
+    EXPECT_TRUE(says("Yard")) << out;
+    EXPECT_TRUE(says("0/4")) << out;
+    EXPECT_FALSE(says("\"stack\""));
+    ASSERT_EQ(run("world create --template race"), 0) << err;
+    ASSERT_EQ(run("room protect yard tower --min -1 0 -1 --max 1 9 1 --role owner"), 0) << err;
+    ASSERT_EQ(run("room show yard --json"), 0) << err;
+    EXPECT_EQ(json().at("settings").at("areas").at(0).at("minRole"), "owner");
+    write("closed.json", R"({"title": "Closed", "joinCode": "sesame"})");
+    ASSERT_EQ(run("room update yard " + file("closed.json")), 0) << err;
+    ASSERT_EQ(run("room show yard"), 0) << err;
+    EXPECT_TRUE(says("Closed")) << out;
+    EXPECT_FALSE(says("sesame")) << out;
+    EXPECT_EQ(run("room kick yard 42"), 1);
+    EXPECT_TRUE(complains("client 42 is not in the room")) << err;
+    EXPECT_EQ(run("room role yard 42 king"), 2);
+    EXPECT_EQ(run("room show stack"), 1);
+    EXPECT_TRUE(complains("has no room")) << err;
+}
+
 TEST_F(CtlTest, lists_and_kicks_clients) {
     ASSERT_EQ(run("clients"), 0);
     EXPECT_EQ(out, "No clients are connected.\n");
@@ -238,6 +261,61 @@ TEST_F(CtlTest, lists_and_kicks_clients) {
     EXPECT_EQ(*player->end(), "7: an operator removed the client: be kind");  // PERMISSION_DENIED
     EXPECT_EQ(run("kick 999"), 1);
     EXPECT_TRUE(complains("there is no client 999")) << err;
+}
+
+TEST_F(CtlTest, lists_players_and_sets_roles_attributes_and_messages) {
+    ASSERT_EQ(run("players stack"), 0) << err;
+    EXPECT_EQ(out, "The world has no players.\n");
+    const auto player = grpc_player(server.grpc_address());
+    v1::ClientMessage hello;
+    hello.mutable_hello()->set_protocol(1);
+    hello.mutable_hello()->set_name("Ann\xc3\xab");
+    hello.mutable_hello()->set_color(0xff8000);
+    hello.mutable_hello()->add_topics("chat");
+    player->send(hello);
+    ASSERT_TRUE(player->wait_until([](const PlayState& state) { return state.client_id != 0; }));
+    const std::string id =
+        std::to_string(player->with_state([](const PlayState& state) { return state.client_id; }));
+    for (int i = 0; i < 100 && (run("players stack --json") != 0 || json()["players"].empty()); i++)
+        player->send_inputs({});
+    EXPECT_EQ(json()["players"][0]["name"], "Ann\xc3\xab");
+    EXPECT_EQ(json()["players"][0]["role"], "PLAYER_ROLE_PLAYER");
+    ASSERT_EQ(run("role stack " + id + " builder"), 0) << err;
+    EXPECT_EQ(run("role stack 999 builder"), 1);
+    EXPECT_TRUE(complains("player 999 does not exist")) << err;
+    EXPECT_EQ(run("role stack " + id + " king"), 2);
+    EXPECT_TRUE(complains("\"king\" is no role; write spectator, player, builder or owner")) << err;
+    for (const char* set : {"score 12", "ratio 0.5", "ready true", "at 1,2,-3", "code 12 --text",
+                            "secret x --visibility owner", "tool y --visibility builder,owner"}) {
+        player->send_inputs({});
+        ASSERT_EQ(run("set-attribute stack player:" + id + " " + set), 0) << set << err;
+    }
+    ASSERT_EQ(run("set-attribute stack player:" + id + " ratio --remove"), 0) << err;
+    for (int i = 0; i < 100 && (run("attributes stack player:" + id + " --json") != 0 ||
+                                json()["sets"][0]["attributes"].size() != 6);
+         i++)
+        player->send_inputs({});
+    const auto attributes = json()["sets"][0]["attributes"];
+    ASSERT_EQ(attributes.size(), 6u) << out;
+    EXPECT_EQ(attributes[0]["vector"]["z"], -3);
+    EXPECT_EQ(attributes[1]["text"], "12");
+    EXPECT_EQ(attributes[2]["boolean"], true);
+    EXPECT_EQ(attributes[3]["integer"], "12") << "64 bits";
+    EXPECT_EQ(attributes[4]["visibility"], "ATTRIBUTE_VISIBILITY_OWNER");
+    EXPECT_EQ(attributes[5]["roles"], 24);
+    EXPECT_TRUE(attributes[5]["readOnly"]);
+    ASSERT_EQ(run("attributes stack"), 0) << err;
+    EXPECT_TRUE(says("roles:builder,owner")) << out;
+    EXPECT_EQ(run("attributes stack planet:3"), 2);
+    EXPECT_EQ(run("set-attribute stack world Key 1"), 1);
+    EXPECT_TRUE(complains("set.attributes[0].key is invalid") || complains("key is invalid"))
+        << err;
+    EXPECT_EQ(run("set-attribute stack world key"), 2);
+    ASSERT_EQ(run("say stack 'the match starts' --to " + id), 0) << err;
+    EXPECT_TRUE(says("message 1 was sent to 1 player")) << out;
+    EXPECT_EQ(run("say stack hello --to 999"), 1);
+    ASSERT_TRUE(player->wait_until(
+        [](const PlayState& state) { return state.newest_message == "the match starts"; }));
 }
 
 TEST_F(CtlTest, bans_lists_and_unbans) {
@@ -362,7 +440,8 @@ TEST_F(CtlTest, exits_with_2_and_an_error_message_on_invalid_flags) {
     EXPECT_EQ(run("kick"), 2);
     EXPECT_EQ(run("kick ann"), 2);
     EXPECT_EQ(run("world create arena"), 2);
-    EXPECT_TRUE(complains("--scene NAME, --file FILE, or --from WORLD --at TICK")) << err;
+    EXPECT_TRUE(complains("--scene NAME, --template NAME, --file FILE, or --from WORLD --at TICK"))
+        << err;
     EXPECT_EQ(run("profile stack x --seconds 31"), 2);
     EXPECT_EQ(run("--cert a.pem worlds"), 2);
     EXPECT_TRUE(complains("--cert and --key must be given together")) << err;

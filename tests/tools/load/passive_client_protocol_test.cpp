@@ -6,6 +6,7 @@
 #include <random>
 
 #include "tests/tools/load/framing_bytes.h"
+#include "tools/load/data_traffic.h"
 
 namespace jostle::load {
 namespace {
@@ -56,6 +57,31 @@ int count_acks(const std::vector<v1::ClientMessage>& messages) {
 }
 
 }  // namespace
+
+TEST(PassiveClientProtocol, counts_user_messages_and_their_delay) {
+    Talk talk({.receives_data = true});
+    talk.welcome();
+    DataTraffic traffic({.messages_per_second = 1, .attributes = 20}, 0);
+    const std::vector<v1::Input> first = traffic.take(noon, 7);
+    ASSERT_EQ(first.size(), 1u) << "all attributes at once";
+    EXPECT_EQ(first[0].set_attributes().set().player(), 7u);
+    EXPECT_EQ(first[0].set_attributes().set().attributes_size(), 20);
+    EXPECT_TRUE(traffic.take(noon + 500ms, 7).empty());
+    const std::vector<v1::Input> later = traffic.take(noon + 1s, 7);
+    ASSERT_EQ(later.size(), 2u) << "a message and a changed attribute";
+    v1::ServerMessage message;
+    message.mutable_snapshot()->set_frame(100);
+    message.mutable_snapshot()->set_messages_missed(3);
+    v1::UserMessage& chat = *message.mutable_snapshot()->add_messages();
+    chat.set_data(later[0].send_message().data());
+    message.mutable_snapshot()->add_messages()->set_data("another sender");
+    talk.hear(message, noon + 1s + 20ms);
+    EXPECT_EQ(talk.metrics.user_messages, 2u);
+    EXPECT_EQ(talk.metrics.messages_missed, 3u);
+    const Percentiles delay = percentiles_of(talk.metrics.message_delay);
+    EXPECT_EQ(delay.count, 1u);
+    EXPECT_NEAR(delay.p50, 20, 1);
+}
 
 TEST(PassiveClientProtocol, sends_hello_first_and_waits_for_the_welcome) {
     LoadMetrics metrics;

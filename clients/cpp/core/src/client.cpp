@@ -89,6 +89,16 @@ std::vector<v1::Events> Client::take_events() {
     return state_->protocol.take_events();
 }
 
+std::vector<v1::UserMessage> Client::take_messages() {
+    const auto lock = locked(*state_);
+    return state_->protocol.take_messages();
+}
+
+std::vector<v1::PlayerEvent> Client::take_player_events() {
+    const auto lock = locked(*state_);
+    return state_->protocol.take_player_events();
+}
+
 std::vector<float> Client::take_ages_ms() {
     const auto lock = locked(*state_);
     return state_->protocol.take_ages_ms();

@@ -14,7 +14,8 @@ constexpr auto initial_ping_period = std::chrono::milliseconds(100);
 constexpr auto ping_period = std::chrono::seconds(1);
 // limits of untaken results and ages
 constexpr std::size_t results_max = 4096, ages_max = 1u << 16;
-constexpr std::size_t events_max = 1024;    // limit of untaken events, in ticks
+constexpr std::size_t events_max = 1024;  // limit of untaken events, in ticks
+constexpr std::size_t messages_max = 1024, player_events_max = 1024;  // likewise
 constexpr std::uint32_t ack_ms_max = 1000;  // upper bound for the interval from the server
 // Intervals of datagrams without content: while datagrams get through, before that is known, and
 // after a longer failure.
@@ -64,6 +65,7 @@ void PlayProtocol::begin(Clock::time_point now) {
 void PlayProtocol::start_new_session() {
     buffer_.clear();
     newest_ = {};
+    last_message_ = 0;
     clock_ = {};
     inputs_.start_new_session();
 }
@@ -155,6 +157,7 @@ void PlayProtocol::on_message(Clock::time_point now) {
             on_points(message_.snapshot());
             if (message_.snapshot().has_joints())
                 note_error(view_.apply(message_.snapshot().joints()));
+            on_data(*message_.mutable_snapshot());
             inputs_.confirm(message_.snapshot().client_update().input_received(), now);
             // Results and events are independent of the poses.
             on_results(message_.snapshot().client_update(), now);
@@ -300,6 +303,37 @@ std::vector<v1::Events> PlayProtocol::take_events() {
     return taken;
 }
 
+// They arrive over the stream only and in order.
+void PlayProtocol::on_data(v1::Snapshot& snapshot) {
+    view_.apply_data(snapshot);
+    stats_.messages_missed += snapshot.messages_missed();
+    for (v1::UserMessage& message : *snapshot.mutable_messages()) {
+        last_message_ = message.number();
+        stats_.messages_received++;
+        messages_.push_back(std::move(message));
+        if (messages_.size() > messages_max) messages_.pop_front();
+    }
+    for (v1::PlayerUpdate& update : *snapshot.mutable_players())
+        for (v1::PlayerEvent& event : *update.mutable_events()) {
+            player_events_.push_back(std::move(event));
+            if (player_events_.size() > player_events_max) player_events_.pop_front();
+        }
+}
+
+std::vector<v1::UserMessage> PlayProtocol::take_messages() {
+    std::vector<v1::UserMessage> taken(std::make_move_iterator(messages_.begin()),
+                                       std::make_move_iterator(messages_.end()));
+    messages_.clear();
+    return taken;
+}
+
+std::vector<v1::PlayerEvent> PlayProtocol::take_player_events() {
+    std::vector<v1::PlayerEvent> taken(std::make_move_iterator(player_events_.begin()),
+                                       std::make_move_iterator(player_events_.end()));
+    player_events_.clear();
+    return taken;
+}
+
 void PlayProtocol::fill_ack(v1::Ack& ack, Clock::time_point now) {
     ack.set_frame(view_.frame().frame);
     ack.set_need_keyframe(needs_keyframe() || keyframe_requested_);
@@ -329,6 +363,7 @@ std::string PlayProtocol::hello() {
     hello.set_protocol(protocol_version);
     hello.set_world(options_.world);
     hello.set_ticket(options_.ticket);
+    hello.set_join_code(options_.join_code);
     hello.set_name(options_.name);
     hello.set_snapshot_hz(options_.snapshot_hz);
     hello.set_spectator(options_.spectator);
@@ -341,10 +376,15 @@ std::string PlayProtocol::hello() {
     hello.set_datagrams(options_.datagrams && !options_.network_conditions.impaired());
     if (options_.interest) write(*hello.mutable_interest(), *options_.interest);
     if (options_.precision) write(*hello.mutable_precision(), *options_.precision);
+    hello.set_players(options_.players);
+    hello.set_attributes(options_.attributes);
+    for (const std::string& topic : options_.topics) hello.add_topics(topic);
+    if (options_.color) hello.set_color(*options_.color);
     hello.set_resumable(options_.resume && options_.reconnect);
     if (!resume_token_.empty()) {
         hello.mutable_resume()->set_token(resume_token_);
         hello.mutable_resume()->set_frame(view_.frame().frame);
+        hello.mutable_resume()->set_message(last_message_);
     }
     return message.SerializeAsString();
 }

@@ -68,6 +68,8 @@ public:
     const std::optional<v1::WorldStats>& world_stats() const { return world_stats_; }
     std::vector<v1::InputResult> take_results();
     std::vector<v1::Events> take_events();
+    std::vector<v1::UserMessage> take_messages();
+    std::vector<v1::PlayerEvent> take_player_events();
     std::vector<float> take_ages_ms() { return std::exchange(ages_ms_, {}); }
 
 private:
@@ -85,6 +87,7 @@ private:
     void adjust_input_clock(const v1::Snapshot& snapshot, double age_us, Clock::time_point now);
     void on_results(const v1::ClientUpdate& own, Clock::time_point now);
     void on_events(v1::Events&& events);
+    void on_data(v1::Snapshot& snapshot);
     void fill_ack(v1::Ack& ack, Clock::time_point now);
     std::string take_inputs(Clock::time_point now);
 
@@ -97,6 +100,9 @@ private:
     std::optional<v1::WorldStats> world_stats_;
     std::deque<v1::InputResult> results_;
     std::deque<v1::Events> events_;
+    std::deque<v1::UserMessage> messages_;
+    std::deque<v1::PlayerEvent> player_events_;
+    std::uint32_t last_message_ = 0;  // number of the last user message of this session
     std::vector<float> ages_ms_;
 
     v1::ServerMessage message_;  // reused, so that parsing rarely allocates

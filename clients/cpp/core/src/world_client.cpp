@@ -45,6 +45,7 @@ Point read(const v1::Vec3& v) {
 void write(v1::QueryFilter& to, const QueryOptions& from) {
     to.set_categories(from.categories);
     to.set_include_triggers(from.triggers);
+    to.set_include_deformables(from.deformables);
     to.set_ignore(from.ignore);
 }
 
@@ -71,8 +72,8 @@ WorldClient::WorldClient(const std::string& target, Security security)
 }
 WorldClient::~WorldClient() = default;
 
-Result<v1::ListWorldsResponse> WorldClient::list() {
-    return impl_->invoke(&v1::WorldService::Stub::ListWorlds, v1::ListWorldsRequest());
+Result<v1::ListWorldsResponse> WorldClient::list(const v1::ListWorldsRequest& request) {
+    return impl_->invoke(&v1::WorldService::Stub::ListWorlds, request);
 }
 
 Result<v1::CreateWorldResponse> WorldClient::create(const v1::CreateWorldRequest& request) {
@@ -86,10 +87,17 @@ Status WorldClient::remove(const std::string& world) {
     return removed.ok() ? Status() : removed.error();
 }
 
-Result<v1::JoinWorldResponse> WorldClient::join(const std::string& world) {
+Result<v1::JoinWorldResponse> WorldClient::join(const std::string& world,
+                                                const std::string& join_code) {
     v1::JoinWorldRequest request;
     request.set_world(world);
+    request.set_join_code(join_code);
     return impl_->invoke(&v1::WorldService::Stub::JoinWorld, request);
+}
+
+Result<v1::JoinOrCreateWorldResponse> WorldClient::join_or_create(
+    const v1::JoinOrCreateWorldRequest& request) {
+    return impl_->invoke(&v1::WorldService::Stub::JoinOrCreateWorld, request);
 }
 
 struct QueryClient::Impl {
@@ -108,13 +116,14 @@ struct QueryClient::Impl {
         return call(*stub, method, request, security);
     }
 
-    Result<QueryResult<std::vector<std::uint32_t>>> overlap(v1::OverlapRequest& request,
-                                                            const QueryOptions& options) {
+    Result<QueryResult<Overlaps>> overlap(v1::OverlapRequest& request,
+                                          const QueryOptions& options) {
         const auto response = invoke(&v1::QueryService::Stub::Overlap, request, options);
         if (!response.ok()) return response.error();
-        QueryResult<std::vector<std::uint32_t>> result{
-            .tick = response->tick(), .view_time_clamped = response->view_time_clamped()};
-        result.value.assign(response->entities().begin(), response->entities().end());
+        QueryResult<Overlaps> result{.tick = response->tick(),
+                                     .view_time_clamped = response->view_time_clamped()};
+        result.value.entities.assign(response->entities().begin(), response->entities().end());
+        result.value.objects.assign(response->objects().begin(), response->objects().end());
         return result;
     }
 };
@@ -141,6 +150,7 @@ Result<QueryResult<std::optional<RayHit>>> QueryClient::cast_ray(Point origin, P
     if (response->rays_size() == 0 || response->rays(0).hits_size() == 0) return result;
     const v1::Hit& hit = response->rays(0).hits(0);
     result.value = RayHit{.entity = hit.entity(),
+                          .object = hit.object(),
                           .shape = hit.shape(),
                           .fraction = hit.fraction(),
                           .point = read(hit.point()),
@@ -148,15 +158,14 @@ Result<QueryResult<std::optional<RayHit>>> QueryClient::cast_ray(Point origin, P
     return result;
 }
 
-Result<QueryResult<std::vector<std::uint32_t>>> QueryClient::overlap(const v1::Shape& shape,
-                                                                     const QueryOptions& options) {
+Result<QueryResult<Overlaps>> QueryClient::overlap(const v1::Shape& shape,
+                                                   const QueryOptions& options) {
     v1::OverlapRequest request;
     *request.mutable_shape() = shape;
     return impl_->overlap(request, options);
 }
 
-Result<QueryResult<std::vector<std::uint32_t>>> QueryClient::overlap(Point point,
-                                                                     const QueryOptions& options) {
+Result<QueryResult<Overlaps>> QueryClient::overlap(Point point, const QueryOptions& options) {
     v1::OverlapRequest request;
     write(*request.mutable_point(), point);
     return impl_->overlap(request, options);
@@ -171,9 +180,11 @@ Result<QueryResult<std::optional<ClosestPointHit>>> QueryClient::closest_point(
     if (!response.ok()) return response.error();
     QueryResult<std::optional<ClosestPointHit>> result{
         .tick = response->tick(), .view_time_clamped = response->view_time_clamped()};
-    if (response->points_size() == 0 || response->points(0).entity() == 0) return result;
+    if (response->points_size() == 0) return result;
     const v1::ClosestPoint& closest = response->points(0);
+    if (closest.entity() == 0 && closest.object() == 0) return result;
     result.value = ClosestPointHit{.entity = closest.entity(),
+                                   .object = closest.object(),
                                    .distance = closest.distance(),
                                    .point = read(closest.point()),
                                    .normal = read(closest.normal())};

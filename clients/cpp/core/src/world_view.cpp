@@ -31,6 +31,7 @@ void WorldView::begin(const v1::Welcome& welcome) {
     partial_geometry_ = {};
     controlled_entity_ = {};
     joints_.clear();
+    data_.clear();
 }
 
 void WorldView::resume(const v1::Welcome& welcome) {

@@ -39,6 +39,8 @@ Status Playback::apply(const v1::ServerMessage& message, std::uint64_t offset) {
     if (message.has_geometry()) status = view_.apply(message.geometry());
     if (message.has_snapshot()) {
         status = view_.apply(message.snapshot());
+        // A keyframe contains the complete lists.
+        view_.apply_data(message.snapshot());
         // After a seek, an object appears with its next keyframe.
         static_cast<void>(view_.apply_points(message.snapshot()).ok());
     }

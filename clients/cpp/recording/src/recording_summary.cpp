@@ -34,6 +34,10 @@ void count_snapshot(RecordingSummary& summary, const RecordingReader::Record& re
     const v1::Snapshot& snapshot = record.message.snapshot();
     if (summary.first_tick == 0) summary.first_tick = snapshot.frame();
     summary.last_tick = snapshot.frame();
+    summary.user_messages += static_cast<std::uint64_t>(snapshot.messages_size());
+    summary.attribute_updates += static_cast<std::uint64_t>(snapshot.attributes_size());
+    for (const v1::PlayerUpdate& update : snapshot.players())
+        summary.player_events += static_cast<std::uint64_t>(update.events_size());
     if (snapshot.baselines() != 0) return;
     summary.keyframes++;
     summary.keyframe_bytes += record.bytes;

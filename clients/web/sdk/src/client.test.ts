@@ -1,7 +1,7 @@
 import { readFileSync } from 'node:fs';
 import { afterEach, beforeEach, describe, expect, it, vi } from 'vitest';
 import { connect, ConnectError, type Client } from './client.js';
-import { NoticeCode } from './gen/jostle/v1/play_pb.js';
+import { AttributeVisibility, NoticeCode, PlayerEventKind } from './gen/jostle/v1/play_pb.js';
 import { RecordedStream } from './recording/recorded_stream.js';
 import { Recording } from './recording/recording.js';
 import { FakeSocket } from './testing/fake_socket.js';
@@ -95,6 +95,60 @@ describe('client', () => {
     expect(inputs.map(({ kind }) => kind.case)).toEqual(['impulse', 'grab', 'drag', 'release', 'possess', 'control']);
     expect(inputs[0]!.kind.value).toMatchObject({ entity: 5, impulse: { x: 1, y: 2, z: 3 } });
     expect(inputs[5]!.kind.value).toMatchObject({ axes: [500, -1000], buttons: 3 });
+    client.close();
+  });
+
+  it('subscribes to players, attributes and topics, and resumes after the last message', async () => {
+    const sockets: FakeSocket[] = [];
+    const openSocket = () => {
+      sockets.push(new FakeSocket());
+      return sockets.at(-1)!;
+    };
+    const received: unknown[] = [];
+    const connecting = connect({
+      url: 'ws://test/play', openSocket, name: 'ann', color: 0xff8000, players: true, attributes: true, topics: ['chat'],
+      listener: {
+        userMessage: ({ from, data }) => received.push([from, new TextDecoder().decode(data)]),
+        playerEvent: ({ kind, player }) => received.push([PlayerEventKind[kind], player?.name]),
+        dataChanged: (data) => received.push(data.value({ kind: 'world' }, 'round')),
+      },
+    });
+    await Promise.resolve();
+    sockets[0]!.onopen!();
+    expect(sockets[0]!.take()[0]).toMatchObject({ value: { name: 'ann', color: 0xff8000, players: true, attributes: true, topics: ['chat'] } });
+    sockets[0]!.deliver({ message: { case: 'welcome', value: { clientId: 7, resumeToken: new Uint8Array([1, 2]) } } });
+    const client = await connecting;
+    const players = [{ events: [{ tick: 9, kind: PlayerEventKind.JOINED, player: { client: 8, name: 'bob' } }] }];
+    const sets = [{ target: { case: 'world' as const, value: true }, attributes: [{ key: 'round', value: { case: 'integer' as const, value: 2n } }] }];
+    const messages = [{ number: 41, from: 8, topic: 'chat', data: new TextEncoder().encode('hi') }];
+    sockets[0]!.deliver({ message: { case: 'snapshot', value: { frame: 9, players, attributes: [{ sets }], messages } } });
+    expect(received).toEqual([['JOINED', 'bob'], 2n, [8, 'hi']]);
+    expect(client.data.players.get(8)?.name).toBe('bob');
+
+    client.sendMessage('chat', 'hello', [8]);
+    client.sendToServer('game', new Uint8Array([1, 255]));
+    client.setAttributes({ kind: 'player', id: 7 }, { ready: true, score: 5n, gone: undefined }, AttributeVisibility.OWNER);
+    client.rename('anna');
+    vi.advanceTimersByTime(34);
+    const inputs = sockets[0]!.take().flatMap((message) => (message.case === 'input' ? message.value.inputs : []));
+    expect(inputs.map(({ kind }) => kind.case)).toEqual(['sendMessage', 'sendMessage', 'setAttributes', 'rename']);
+    expect(inputs[0]!.kind.value).toMatchObject({ topic: 'chat', data: new TextEncoder().encode('hello'), to: [8], toServer: false });
+    expect(inputs[1]!.kind.value).toMatchObject({ topic: 'game', data: new Uint8Array([1, 255]), to: [], toServer: true });
+    expect(inputs[2]!.kind.value).toMatchObject({
+      set: {
+        target: { case: 'player', value: 7 },
+        attributes: [
+          { key: 'ready', value: { case: 'boolean', value: true }, visibility: AttributeVisibility.OWNER },
+          { key: 'score', value: { case: 'integer', value: 5n } },
+          { key: 'gone', value: { case: undefined } },
+        ],
+      },
+    });
+
+    sockets[0]!.onclose!({ code: 1006, reason: '' });
+    await vi.advanceTimersByTimeAsync(300);
+    sockets[1]!.onopen!();
+    expect(sockets[1]!.take()[0]).toMatchObject({ value: { resume: { message: 41 } } });
     client.close();
   });
 });

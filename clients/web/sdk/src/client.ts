@@ -4,11 +4,16 @@
 import { nowUs } from './clock/clock_sync.js';
 import { Connection, type AreaOfInterest, type Precision, type ConnectionListener, type ConnectionState, type Input, type Socket } from './connection/connection.js';
 import type { ListedJoint } from './connection/joint_list.js';
-import type { Entity } from './gen/jostle/v1/play_pb.js';
+import type { MessageInitShape } from '@bufbuild/protobuf';
+import type { AttributeTarget, AttributeValue, WorldData } from './connection/world_data.js';
+import { AttributeVisibility, type Entity, type RoomInputSchema } from './gen/jostle/v1/play_pb.js';
 import type { PointObjectView } from './interpolation/point_objects.js';
 import { RenderedPoses } from './interpolation/rendered_poses.js';
 import { MOTION_CHANNEL } from './snapshot/channels.js';
 import type { PredictionController } from './prediction/prediction_controller.js';
+
+/** A command about a room in the form of proto RoomInput. */
+export type RoomCommand = MessageInitShape<typeof RoomInputSchema>;
 
 /** A vector in the world: m, m/s or N s. */
 export interface Vector {
@@ -24,6 +29,8 @@ export interface ConnectOptions {
   readonly world?: string;
   /** Bearer token of the user; default: none. */
   readonly token?: string;
+  /** Join code of a private room; default: none. */
+  readonly joinCode?: string;
   /** Kinds of module channels to receive, at most 64 (PoseFrame.channels); default: none. */
   readonly channels?: readonly string[];
   /** The part of the world to receive; default: the whole world. */
@@ -34,6 +41,16 @@ export interface ConnectOptions {
   readonly joints?: boolean;
   /** Whether to receive events (ConnectionListener.worldEvents); default: false. */
   readonly events?: boolean;
+  /** Display name, at most 32 bytes; default: "browser". */
+  readonly name?: string;
+  /** 0xRRGGBB, of the player; default: none. */
+  readonly color?: number;
+  /** Whether to receive the player list (Client.data); default: false. */
+  readonly players?: boolean;
+  /** Whether to receive attributes (Client.data); default: false. */
+  readonly attributes?: boolean;
+  /** Topics of user messages to receive (ConnectionListener.userMessage), at most 64; "*": all; default: none. */
+  readonly topics?: readonly string[];
   /**
    * Predicts the effects of own inputs; default: false. Pass the bytes of predictor.wasm where `fetch`
    * cannot read the package, as in Node: `await readFile(predictorUrl)` with `predictorUrl` of
@@ -55,6 +72,29 @@ export interface ConnectOptions {
 export class ConnectError extends Error {}
 
 const TIMEOUT_MS = 10_000;
+
+const bytesOf = (data: string | Uint8Array) => (typeof data === 'string' ? new TextEncoder().encode(data) : new Uint8Array(data));
+
+function targetMessage(target: AttributeTarget) {
+  return target.kind === 'world' ? { case: 'world' as const, value: true } : { case: target.kind, value: target.id };
+}
+
+function valueMessage(value: AttributeValue | undefined) {
+  switch (typeof value) {
+    case 'boolean':
+      return { case: 'boolean' as const, value };
+    case 'bigint':
+      return { case: 'integer' as const, value };
+    case 'number':
+      return { case: 'number' as const, value };
+    case 'string':
+      return { case: 'text' as const, value };
+    case 'object':
+      return { case: 'vector' as const, value };
+    default:
+      return { case: undefined };
+  }
+}
 
 /**
  * Joins a world. Resolves once the server has accepted the client; poses are available from the first
@@ -79,7 +119,7 @@ export class Client {
 
   /** Use connect(). */
   constructor(options: ConnectOptions) {
-    const { url, token, channels = [], areaOfInterest, precision, joints = false, events = false, prediction = false, listener = {} } = options;
+    const { url, token, joinCode, channels = [], areaOfInterest, precision, joints = false, events = false, prediction = false, listener = {} } = options;
     this.listener = listener;
     const channelKinds = prediction === false ? channels : [...channels, MOTION_CHANNEL];
     const forward: ConnectionListener = {
@@ -93,8 +133,14 @@ export class Client {
       inputRejected: (result) => listener.inputRejected?.(result),
       notice: (text) => listener.notice?.(text),
       joints: (list) => listener.joints?.(list),
+      userMessage: (message) => listener.userMessage?.(message),
+      playerEvent: (event) => listener.playerEvent?.(event),
+      dataChanged: (data) => listener.dataChanged?.(data),
     };
-    this.connection = new Connection({ url, listener: forward, openSocket: options.openSocket, token, channelKinds, areaOfInterest, precision, joints });
+    const { name, color, players, attributes, topics } = options;
+    this.connection = new Connection({
+      url, listener: forward, openSocket: options.openSocket, token, joinCode, channelKinds, areaOfInterest, precision, joints, name, color, players, attributes, topics,
+    });
     this.connection.setEventsEnabled(events);
   }
 
@@ -240,6 +286,51 @@ export class Client {
    */
   control(axes: readonly number[], buttons = 0): void {
     this.send({ case: 'control', value: { axes: axes.map((axis) => Math.round(1000 * axis)), buttons } });
+  }
+
+  /**
+   * Sends a command about the room: moderation, roles, votes and protected areas. The role of this
+   * client must permit it.
+   */
+  room(kind: NonNullable<RoomCommand['kind']>): void {
+    this.send({ case: 'room', value: { kind } });
+  }
+
+  /** Players and attributes, for clients that subscribed to them. */
+  get data(): WorldData {
+    return this.connection.data;
+  }
+
+  /**
+   * Sends a user message to all clients of the world, or to some of them. A text is sent as UTF-8.
+   * `topic`: 1 to 32 of the characters a-z, 0-9, _ and dot.
+   */
+  sendMessage(topic: string, data: string | Uint8Array, to: readonly number[] = []): void {
+    this.send({ case: 'sendMessage', value: { topic, data: bytesOf(data), to: [...to] } });
+  }
+
+  /** Sends a user message to the server alone. */
+  sendToServer(topic: string, data: string | Uint8Array): void {
+    this.send({ case: 'sendMessage', value: { topic, data: bytesOf(data), toServer: true } });
+  }
+
+  /**
+   * Sets attributes of a target; undefined removes one. All are set or none. `visibility`: the clients
+   * that receive them; default: all. `roles`: one bit per PlayerRole, with AttributeVisibility.ROLES.
+   */
+  setAttributes(
+    target: AttributeTarget,
+    values: Readonly<Record<string, AttributeValue | undefined>>,
+    visibility = AttributeVisibility.EVERYONE,
+    roles = 0,
+  ): void {
+    const attributes = Object.entries(values).map(([key, value]) => ({ key, value: valueMessage(value), visibility, roles }));
+    this.send({ case: 'setAttributes', value: { set: { target: targetMessage(target), attributes } } });
+  }
+
+  /** Changes the display name, 1 to 32 bytes. */
+  rename(name: string): void {
+    this.send({ case: 'rename', value: { name } });
   }
 
   /** Leaves the world and closes the connection. */

@@ -14,6 +14,13 @@ export async function testDeformables({ page, url, until, expect, takeScreenshot
   await until('the ropes are rendered', () => page.evaluate(() => window.jostle?.state === 'playing' && window.jostle.pointsOf(0) !== undefined));
   const count = await page.evaluate(() => window.jostle.pointObjectCount);
   await page.keyboard.press('1');
+  let shown = { x: 0, y: 0 };
+  await until('the camera rests', async () => {
+    const last = shown;
+    shown = await screen(page, [0, 2, 0]);
+    await page.waitForTimeout(200);
+    return Math.hypot(shown.x - last.x, shown.y - last.y) < 0.5;
+  });
   const before = middleOf(await pointsOf(page));
   const from = await screen(page, before);
   await page.mouse.move(from.x, from.y);

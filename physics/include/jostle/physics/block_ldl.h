@@ -91,8 +91,14 @@ private:
     void fill(std::span<const Edge> edges, const std::vector<int>& order);
     void count_work();
     void lay_out();
+    template <int kPivots, bool kSame>
+    int factor_column(int k, double dependent);
     template <int kRows>
     int factor_columns(double dependent);
+    template <int kPivots, bool kSame>
+    void eliminate_column(int k, double* x) const;
+    template <int kPivots, bool kSame>
+    void substitute_column(int k, double* x) const;
     template <int kRows>
     void solve_columns(double* x) const;
 

@@ -14,6 +14,16 @@ std::array<int, 4> bodies_of(const JointEnds& ends) {
     return {ends.a, ends.b, ends.carriers[0], ends.carriers[1]};
 }
 
+// Whether each of these joints of the body moves another one that is no hub.
+bool all_move_others(std::span<const JointEnds> joints, const std::vector<int>& list, int body,
+                     std::span<const std::uint8_t> pushed, const std::vector<int>& hub_of) {
+    return std::all_of(list.begin(), list.end(), [&](int joint) {
+        const JointEnds& ends = joints[as_index(joint)];
+        const int other = ends.a == body ? ends.b : ends.a;
+        return pushed[as_index(other)] != 0 && hub_of[as_index(other)] < 0;
+    });
+}
+
 }  // namespace
 
 bool find_joint_system_blocks(std::span<const JointEnds> joints, std::span<const int> rows,
@@ -35,18 +45,28 @@ bool find_joint_system_blocks(std::span<const JointEnds> joints, std::span<const
         hubs->blocks.clear();
         for (std::size_t n = 0; n < of_body.size(); n++) {
             if (of_body[n].size() < min_hub_joints) continue;
+            if (hubs->split &&
+                !all_move_others(joints, of_body[n], static_cast<int>(n), pushed, hub_of))
+                continue;
             hub_of[n] = static_cast<int>(hubs->hubs.size());
             hubs->hubs.push_back(
                 {.body = static_cast<int>(n), .node = static_cast<int>(rows_of_node.size())});
-            rows_of_node.push_back(hub_rows);
+            if (hubs->split)
+                rows_of_node.insert(rows_of_node.end(), {hub_rows / 2, hub_rows / 2});
+            else
+                rows_of_node.push_back(hub_rows);
         }
     }
     std::vector<BlockLdl::Edge> edges;
     for (std::size_t n = 0; n < of_body.size(); n++) {
         const std::vector<int>& list = of_body[n];
         if (hub_of[n] >= 0) {
-            for (const int joint : list)
-                edges.push_back({joint, hubs->hubs[as_index(hub_of[n])].node});
+            const int node = hubs->hubs[as_index(hub_of[n])].node;
+            for (const int joint : list) {
+                edges.push_back({joint, node});
+                if (hubs->split) edges.push_back({joint, node + 1});
+            }
+            if (hubs->split) edges.push_back({node, node + 1});
             continue;
         }
         int least = BlockLdl::max_rows;
@@ -73,12 +93,18 @@ bool find_joint_system_blocks(std::span<const JointEnds> joints, std::span<const
         if (hub_of[n] >= 0) {
             JointHub& hub = hubs->hubs[as_index(hub_of[n])];
             hub.at = matrix.block_at(hub.node, hub.node);
+            if (hubs->split) hub.angular_at = matrix.block_at(hub.node + 1, hub.node + 1);
+            const auto at = [&](int node, int joint) {
+                return matrix.is_later(node, joint) ? matrix.block_at(node, joint)
+                                                    : matrix.block_at(joint, node);
+            };
             for (const int joint : list) {
-                const bool hub_later = matrix.is_later(hub.node, joint);
-                hubs->blocks.push_back({hub_later ? matrix.block_at(hub.node, joint)
-                                                  : matrix.block_at(joint, hub.node),
-                                        joint, hub_of[n], joints[as_index(joint)].b == body,
-                                        hub_later});
+                hubs->blocks.push_back({at(hub.node, joint), joint, hub_of[n],
+                                        joints[as_index(joint)].b == body,
+                                        matrix.is_later(hub.node, joint)});
+                if (!hubs->split) continue;
+                hubs->blocks.back().angular_at = at(hub.node + 1, joint);
+                hubs->blocks.back().angular_later = matrix.is_later(hub.node + 1, joint);
             }
             continue;
         }

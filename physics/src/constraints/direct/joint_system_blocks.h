@@ -6,7 +6,8 @@
 // velocity as unknown (D. Baraff, "Linear-time dynamics using Lagrange multipliers", 1996):
 //     | A    J_h |
 //     | J_h' -M_h|
-// Hubs follow the joints in the numbering of nodes.
+// Hubs follow the joints in the numbering of nodes. A kernel for blocks of three rows splits a hub
+// into two nodes, of its linear and of its angular unknowns.
 #pragma once
 
 #include <cstdint>
@@ -30,15 +31,22 @@ struct JointEnds {
 
 struct JointHub {
     int body = 0, at = 0;  // `at`: its diagonal block of 6 rows: v, then w
-    int node = 0;
+    int node = 0;          // if it is split: of v; that of w follows
+    int angular_at = 0;    // if it is split: the diagonal block of w
 };
 struct JointHubBlock {
     int at;  // of the block; row-major, its rows are those of the later node
     int joint, hub;
     bool body_b;     // whether the body is b of the joint
     bool hub_later;  // whether the hub is eliminated later
+    // If the hub is split: the same of its node of w.
+    int angular_at = 0;
+    bool angular_later = false;
 };
 struct JointHubs {
+    // Into two nodes of three rows. Every joint of such a hub moves another body that is no hub, so
+    // that its own block is positive without the hub.
+    bool split = false;
     std::vector<JointHub> hubs;
     std::vector<JointHubBlock> blocks;
 };

@@ -8,25 +8,35 @@
 
 namespace jostle::physics::JOSTLE_ISA {
 
-// Solves with the factor. The unknowns of the joints contain the right-hand sides on entry.
+JOSTLE_INLINE Wide3 unknown_at(const BatchView& batch, int position) {
+    const WideValue* const at = batch.unknown + 3 * position;
+    return {load(at[0].lane), load(at[1].lane), load(at[2].lane)};
+}
+JOSTLE_INLINE void set_unknown(const BatchView& batch, int position, Wide3 to) {
+    WideValue* const at = batch.unknown + 3 * position;
+    store(at[0].lane, to.x);
+    store(at[1].lane, to.y);
+    store(at[2].lane, to.z);
+}
+
+// Solves with the factor. The unknowns contain the right-hand sides on entry.
 JOSTLE_INLINE void substitute(const BatchView& batch) {
-    for (int k = 0; k < batch.joint_count; k++) {
-        const Wide3 x = load3(batch.joints[batch.node[k]].unknown);
+    for (int k = 0; k < batch.node_count; k++) {
+        const Wide3 x = unknown_at(batch, k);
         for (int i = batch.first_below[k]; i < batch.first_below[k + 1]; i++) {
             const BlockLdl::Below& below = batch.below[i];
-            float(*const to)[8] = batch.joints[batch.node[below.position]].unknown;
-            store3(to, load3(to) - load9(batch.values + below.at) * x);
+            set_unknown(batch, below.position,
+                        unknown_at(batch, below.position) - load9(batch.values + below.at) * x);
         }
     }
-    for (int k = batch.joint_count - 1; k >= 0; k--) {
-        float(*const at)[8] = batch.joints[batch.node[k]].unknown;
-        Wide3 y = load_symmetric(batch.inverse + 6 * k) * load3(at);
+    for (int k = batch.node_count - 1; k >= 0; k--) {
+        Wide3 y = load_symmetric(batch.inverse + 6 * k) * unknown_at(batch, k);
         for (int i = batch.first_below[k]; i < batch.first_below[k + 1]; i++) {
             const BlockLdl::Below& below = batch.below[i];
-            y = y - transposed_times(load9(batch.values + below.at),
-                                     load3(batch.joints[batch.node[below.position]].unknown));
+            y = y -
+                transposed_times(load9(batch.values + below.at), unknown_at(batch, below.position));
         }
-        store3(at, y);
+        set_unknown(batch, k, y);
     }
 }
 
@@ -96,8 +106,10 @@ void solve_batch(const BatchView& batch, SolverBody* bodies, const JointStep& st
             const WideMask over = size2 > most * most;
             want = want + push * select(over, most / root(max(size2, splat(1e-30f))), splat(1));
         }
-        store3(joint.unknown, -want);
+        set_unknown(batch, batch.position[k], -want);
     }
+    for (int k = 0; k < batch.node_count; k++)
+        if (batch.negative[k] != 0) set_unknown(batch, k, Wide3{splat(0), splat(0), splat(0)});
     substitute(batch);
     for (int k = 0; k < batch.body_count; k++) {
         BatchBody& body = batch.bodies[k];
@@ -108,7 +120,7 @@ void solve_batch(const BatchView& batch, SolverBody* bodies, const JointStep& st
         const JointEnds& ends = batch.ends[k];
         BatchBody &a = batch.bodies[ends.a], &b = batch.bodies[ends.b];
         BatchJoint& joint = batch.joints[k];
-        const Wide3 impulse = load3(joint.unknown);
+        const Wide3 impulse = unknown_at(batch, batch.position[k]);
         store3(a.v, load3(a.v) - impulse);
         store3(a.w, load3(a.w) - cross(load3(joint.lever_a), impulse));
         store3(b.v, load3(b.v) + impulse);

@@ -74,6 +74,43 @@ JOSTLE_INLINE void add_response(const BatchBody& body, Wide3 later, Wide3 sooner
     }
 }
 
+JOSTLE_INLINE void store9(WideValue* to, Wide3 x, Wide3 y, Wide3 z) {
+    const Wide all[9] = {x.x, x.y, x.z, y.x, y.y, y.z, z.x, z.y, z.z};
+    for (int k = 0; k < 9; k++) store(to[k].lane, all[k]);
+}
+
+// The diagonal blocks of a hub, -W.
+JOSTLE_INLINE void add_hub(const BatchView& batch, const JointHub& hub) {
+    const BatchBody& body = batch.bodies[hub.body];
+    const Wide3 mass = load3(body.inverse_mass);
+    const WideSymmetric i = load_symmetric(body.inverse_inertia);
+    const Wide zero = splat(0);
+    store9(batch.values + hub.at, {-mass.x, zero, zero}, {zero, -mass.y, zero},
+           {zero, zero, -mass.z});
+    store9(batch.values + hub.angular_at, {-i.xx, -i.xy, -i.xz}, {-i.xy, -i.yy, -i.yz},
+           {-i.xz, -i.yz, -i.zz});
+}
+
+// J W of a joint and its hub: the velocity change at the joint from an impulse on the hub.
+JOSTLE_INLINE void add_hub_block(const BatchView& batch, const JointHubBlock& coupling) {
+    const BatchBody& body = batch.bodies[batch.hubs[coupling.hub].body];
+    const BatchJoint& joint = batch.joints[coupling.joint];
+    const Wide3 lever = load3(coupling.body_b ? joint.lever_b : joint.lever_a);
+    const Wide one = splat(coupling.body_b ? 1.0f : -1.0f), zero = splat(0);
+    const Wide3 mass = load3(body.inverse_mass) * one;
+    store9(batch.values + coupling.at, {mass.x, zero, zero}, {zero, mass.y, zero},
+           {zero, zero, mass.z});
+    const WideSymmetric i = load_symmetric(body.inverse_inertia);
+    const Wide3 x = cross({i.xx, i.xy, i.xz}, lever) * one,
+                y = cross({i.xy, i.yy, i.yz}, lever) * one,
+                z = cross({i.xz, i.yz, i.zz}, lever) * one;
+    WideValue* const to = batch.values + coupling.angular_at;
+    if (coupling.angular_later)
+        store9(to, x, y, z);
+    else
+        store9(to, {x.x, y.x, z.x}, {x.y, y.y, z.y}, {x.z, y.z, z.z});
+}
+
 // The body in whose axes the joint's impulse is stored: b, unless b cannot be pushed.
 JOSTLE_INLINE const BatchBody& carrier_of(const BatchView& batch, int joint) {
     const JointEnds& ends = batch.ends[joint];
@@ -123,9 +160,16 @@ JOSTLE_INLINE void load_levers(BatchJoint& joint, const BatchBody& a, const Batc
 // The column is copied. L = column D^-1 overwrites it.
 JOSTLE_INLINE void eliminate(const BatchView& batch, int k) {
     WideValue* const stored = batch.inverse + 6 * k;
-    const WideSymmetric inverse =
-        inverse_of(load9(batch.values + batch.diagonal[k]),
-                   {load(stored[0].lane), load(stored[1].lane), load(stored[2].lane)});
+    const Wide3 before{load(stored[0].lane), load(stored[1].lane), load(stored[2].lane)};
+    WideMatrix pivot = load9(batch.values + batch.diagonal[k]);
+    WideSymmetric inverse;
+    if (batch.negative[k] == 0) {
+        inverse = inverse_of(pivot, before);
+    } else {
+        for (Wide& value : pivot.m) value = -value;
+        inverse = inverse_of(pivot, -before);
+        inverse = {-inverse.xx, -inverse.yy, -inverse.zz, -inverse.xy, -inverse.xz, -inverse.yz};
+    }
     const Wide parts[6] = {inverse.xx, inverse.yy, inverse.zz, inverse.xy, inverse.xz, inverse.yz};
     for (int i = 0; i < 6; i++) store(stored[i].lane, parts[i]);
     const BlockLdl::Below* const below = batch.below + batch.first_below[k];
@@ -241,7 +285,9 @@ inline void factor_batch(const BatchView& batch, const SolverBody* bodies, const
                      load3(c.sooner_b ? sooner.lever_b : sooner.lever_a),
                      c.later_b == c.sooner_b ? 1.0f : -1.0f, batch.values + c.at);
     }
-    for (int k = 0; k < batch.joint_count; k++) {
+    for (int k = 0; k < batch.hub_count; k++) add_hub(batch, batch.hubs[k]);
+    for (int k = 0; k < batch.hub_block_count; k++) add_hub_block(batch, batch.hub_blocks[k]);
+    for (int k = 0; k < batch.node_count; k++) {
         // The diagonal before the elimination, stored where its inverse will be written.
         WideValue* const diagonal = batch.values + batch.diagonal[k];
         if (batch.compliance > 0)
@@ -250,7 +296,7 @@ inline void factor_batch(const BatchView& batch, const SolverBody* bodies, const
         WideValue* const stored = batch.inverse + 6 * k;
         stored[0] = diagonal[0], stored[1] = diagonal[4], stored[2] = diagonal[8];
     }
-    for (int k = 0; k < batch.joint_count; k++) eliminate(batch, k);
+    for (int k = 0; k < batch.node_count; k++) eliminate(batch, k);
 }
 
 }  // namespace jostle::physics::JOSTLE_ISA

@@ -32,7 +32,7 @@ std::int32_t root_of(std::vector<std::int32_t>& parent, std::int32_t joint) {
 // The first joint of each group is its root; the others are linked through `next` in order.
 void merge_groups(JointBatches& batches, const JointLevels& levels,
                   std::span<const std::uint8_t> is_point, std::size_t bodies,
-                  std::span<const JointSolverPreferences> preferences) {
+                  const JointSolverOptions& options) {
     const std::size_t joints = levels.joints.size();
     std::vector<std::int32_t>&parent = batches.parent, &first = batches.first;
     ASSERT(is_point.size() == joints);
@@ -60,7 +60,8 @@ void merge_groups(JointBatches& batches, const JointLevels& levels,
         JointBatches::Size& size = batches.size[as_index(root)];
         ASSERT(root >= 0 && root <= joint);
         size.joints++;
-        if (!preferences.empty()) size.preferences |= preferences[k];
+        if (!options.preferences.empty()) size.preferences |= options.preferences[k];
+        if (!options.locked.empty() && options.locked[k] != 0) size.locked = true;
         for (const std::int32_t hot : {levels.joints[k].a, levels.joints[k].b})
             if (hot > 0 && first[as_index(hot)] == joint) size.bodies++;
         if (last[as_index(root)] >= 0) batches.next[as_index(last[as_index(root)])] = joint;
@@ -95,17 +96,26 @@ void find_matrix(JointPattern& pattern, std::int64_t most) {
     const auto pushed = std::count(pattern.pushed.begin(), pattern.pushed.end(), 1);
     pattern.compliance =
         is_redundant(static_cast<int>(joints), static_cast<int>(pushed)) ? net_compliance : 0;
-    pattern.too_dense =
-        !find_joint_system_blocks(pattern.joints, std::vector<int>(joints, rows), pattern.pushed,
-                                  most, matrix, pattern.system_blocks);
+    // A row along a locked axis of the other body would have to wait for the hub. Compliance
+    // applies to the sum of the responses of both bodies.
+    const bool may_have_hubs = !pattern.locked && pattern.compliance == 0;
+    pattern.hubs = {};
+    pattern.hubs.split = true;
+    pattern.too_dense = !find_joint_system_blocks(
+        pattern.joints, std::vector<int>(joints, rows), pattern.pushed, most, matrix,
+        pattern.system_blocks, may_have_hubs ? &pattern.hubs : nullptr);
     if (pattern.too_dense) return;
     pattern.work = matrix.work();
     ASSERT(pattern.work <= most);
     pattern.values = matrix.value_count();
-    pattern.node.resize(joints);
-    for (std::size_t k = 0; k < joints; k++) {
-        const int at = static_cast<int>(k);
-        pattern.node[as_index(matrix.position(at))] = at;
+    pattern.position.resize(joints);
+    for (std::size_t k = 0; k < joints; k++)
+        pattern.position[k] = matrix.position(static_cast<int>(k));
+    pattern.negative.assign(as_index(matrix.nodes()), 0);
+    for (const JointHub& hub : pattern.hubs.hubs)
+        for (const int node : {hub.node, hub.node + 1})
+            pattern.negative[as_index(matrix.position(node))] = 1;
+    for (int at = 0; at < matrix.nodes(); at++) {
         pattern.diagonal.push_back(matrix.diagonal(at));
         pattern.first_below.push_back(static_cast<int>(pattern.below.size()));
         pattern.first_update.push_back(static_cast<int>(pattern.updates.size()));
@@ -121,12 +131,13 @@ void find_matrix(JointPattern& pattern, std::int64_t most) {
 
 // Returns null if the factorisation takes more than `most` multiplications.
 JointPattern* pattern_of(JointBatches& batches, const std::vector<std::uint8_t>& pushed,
-                         std::int64_t most) {
+                         bool locked, std::int64_t most) {
     std::unique_ptr<JointPattern>& found = batches.patterns[batches.key];
     if (found == nullptr) {
         found = std::make_unique<JointPattern>();
         found->pushed = pushed;
-        for (std::size_t k = 0; k < batches.key.size(); k += 2) {
+        found->locked = locked;
+        for (std::size_t k = 0; k + 1 < batches.key.size(); k += 2) {
             const int a = batches.key[k] >> 1, b = batches.key[k + 1] >> 1;
             ASSERT(a != b && as_index(a) < pushed.size() && as_index(b) < pushed.size());
             found->joints.push_back({a, b});
@@ -178,7 +189,8 @@ JointBatch& batch_of(JointBatches& batches, const JointPattern& pattern) {
     batch.bodies.resize(pattern.pushed.size());
     batch.values.resize(as_index(pattern.values));
     batch.column.resize(as_index(pattern.max_below) * rows * rows);
-    batch.inverse.resize(pattern.joints.size() * 6);
+    batch.inverse.resize(pattern.diagonal.size() * 6);
+    batch.unknown.resize(pattern.diagonal.size() * rows);
     for (BatchJoint& joint : batch.joints) {
         joint = {};
         std::fill(std::begin(joint.block), std::end(joint.block), -1);
@@ -203,7 +215,8 @@ void find_batches(JointBatches& batches, JointLevels& levels,
     batches.found.assign(levels.joints.size(), 0);
     batches.used = 0;
     batches.count++;
-    merge_groups(batches, levels, is_point, bodies, options.preferences);
+    ASSERT(options.locked.empty() || options.locked.size() == levels.joints.size());
+    merge_groups(batches, levels, is_point, bodies, options);
     batches.first.assign(bodies, -1);
     for (std::size_t root = 0; root < levels.joints.size(); root++) {
         if (is_point[root] == 0 || batches.parent[root] != static_cast<std::int32_t>(root))
@@ -216,7 +229,9 @@ void find_batches(JointBatches& batches, JointLevels& levels,
             for (const std::int32_t hot :
                  {levels.joints[as_index(k)].a, levels.joints[as_index(k)].b})
                 batches.key.push_back(number(hot) * 2 + (hot > 0 ? 1 : 0));
-        const JointPattern* const pattern = pattern_of(batches, number.pushed, most);
+        const bool locked = batches.size[root].locked;
+        batches.key.push_back(locked ? 1 : 0);
+        const JointPattern* const pattern = pattern_of(batches, number.pushed, locked, most);
         if (pattern == nullptr) continue;
         JointBatch& batch = batch_of(batches, *pattern);
         const auto lane = as_index(batch.groups++);
@@ -243,20 +258,27 @@ BatchView view_of(JointBatch& batch, JointLevels& levels) {
     return {.groups = batch.groups,
             .joint_count = static_cast<int>(batch.joints.size()),
             .body_count = static_cast<int>(batch.bodies.size()),
+            .node_count = static_cast<int>(pattern.diagonal.size()),
             .system_block_count = static_cast<int>(pattern.system_blocks.size()),
             .value_count = static_cast<int>(batch.values.size()),
             .joints = batch.joints.data(),
             .bodies = batch.bodies.data(),
             .values = batch.values.data(),
             .inverse = batch.inverse.data(),
+            .unknown = batch.unknown.data(),
             .column = batch.column.data(),
             .ends = pattern.joints.data(),
             .pushed = pattern.pushed.data(),
             .system_blocks = pattern.system_blocks.data(),
-            .node = pattern.node.data(),
+            .hubs = pattern.hubs.hubs.data(),
+            .hub_blocks = pattern.hubs.blocks.data(),
+            .hub_count = static_cast<int>(pattern.hubs.hubs.size()),
+            .hub_block_count = static_cast<int>(pattern.hubs.blocks.size()),
+            .position = pattern.position.data(),
             .diagonal = pattern.diagonal.data(),
             .first_below = pattern.first_below.data(),
             .first_update = pattern.first_update.data(),
+            .negative = pattern.negative.data(),
             .below = pattern.below.data(),
             .updates = pattern.updates.data(),
             .blocks = levels.blocks.data(),

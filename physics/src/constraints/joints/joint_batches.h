@@ -7,6 +7,13 @@
 // rounding error of float. (D. Baraff, "Linear-time dynamics using Lagrange multipliers", 1996; for
 // the pattern see jostle/physics/block_ldl.h.)
 //
+// The joints of a body with many, as of a chassis with its wheels, are all coupled. Such a hub is a
+// pair of nodes of its own instead (joint_system_blocks.h), whose unknowns are the linear and the
+// angular impulse that its joints exert. With W = M^-1 of the hub:
+//     | A      J W |
+//     | W J'   -W  |
+// Neither a heavy nor a light hub, nor a locked axis, needs an inverse of W.
+//
 // Rebuilt in each step per solver task; patterns are cached.
 #pragma once
 
@@ -29,14 +36,18 @@ struct JointPattern {
     std::vector<JointEnds> joints;
     std::vector<std::uint8_t> pushed;  // indexed by body
     std::vector<JointSystemBlock> system_blocks;
-    // The matrix, three rows per joint, in elimination order.
-    std::vector<int> node, diagonal, first_below, first_update;
+    JointHubs hubs;
+    std::vector<int> position;  // indexed by joint: in elimination order
+    // The matrix, three rows per node, in elimination order.
+    std::vector<int> diagonal, first_below, first_update;
+    std::vector<std::uint8_t> negative;  // nodes of hubs
     std::vector<BlockLdl::Below> below;
     std::vector<BlockLdl::Update> updates;
     int values = 0, max_below = 0;
     bool too_dense = false;     // the other fields are then not set
     std::int64_t max_work = 0;  // limit that was exceeded
     std::int64_t work = 0;
+    bool locked = false;  // may contain bodies with locked axes
     // Compliance of a row relative to its own response. Nonzero for redundant nets.
     float compliance = 0;
     std::uint64_t used = 0;  // value of JointBatches::count at the last use
@@ -46,8 +57,7 @@ struct alignas(32) BatchJoint {
     std::int32_t block[8], lane[8];               // position in the levels; -1 if none
     float arm_a[3][8], arm_b[3][8], apart[3][8];  // see JointConstraintWide
     float lever_a[3][8], lever_b[3][8],
-        gap[3][8];  // current; from the centres to where the force acts
-    float unknown[3][8];
+        gap[3][8];        // current; from the centres to where the force acts
     float impulse[3][8];  // of a sub-step; see JointConstraintWide::point
 };
 struct alignas(32) BatchBody {
@@ -72,21 +82,26 @@ struct JointBatch {
     std::vector<BatchJoint> joints;
     std::vector<BatchBody> bodies;
     std::vector<WideValue> values;   // of the matrix, then of its factor
-    std::vector<WideValue> inverse;  // of the pivots, six per joint, in elimination order
+    std::vector<WideValue> inverse;  // of the pivots, six per node, in elimination order
+    std::vector<WideValue> unknown;  // three per node, in elimination order
     std::vector<WideValue> column;   // scratch memory
 };
 
 // View of a batch for the kernels: code built for one instruction set must not call code built for
 // another.
 struct BatchView {
-    int groups, joint_count, body_count, system_block_count, value_count;
+    int groups, joint_count, body_count, node_count, system_block_count, value_count;
     BatchJoint* joints;
     BatchBody* bodies;
-    WideValue *values, *inverse, *column;
+    WideValue *values, *inverse, *unknown, *column;
     const JointEnds* ends;
     const std::uint8_t* pushed;
     const JointSystemBlock* system_blocks;
-    const int *node, *diagonal, *first_below, *first_update;
+    const JointHub* hubs;
+    const JointHubBlock* hub_blocks;
+    int hub_count, hub_block_count;
+    const int *position, *diagonal, *first_below, *first_update;
+    const std::uint8_t* negative;
     const BlockLdl::Below* below;
     const BlockLdl::Update* updates;
     JointConstraintWide* blocks;
@@ -106,12 +121,14 @@ struct JointBatches {
     struct Size {
         int joints = 0, bodies = 0;
         JointSolverPreferences preferences = 0;
+        bool locked = false;  // see JointSolverOptions
     };
     std::vector<std::int32_t> parent, first, next, last;
     std::vector<Size> size;  // indexed by root
     std::vector<std::int32_t> key;
     std::vector<std::uint8_t> is_point;
     std::vector<JointSolverPreferences> preferences;
+    std::vector<std::uint8_t> locked;
 
     std::vector<std::uint8_t> found;  // indexed like JointLevels::joints: the joint is in a batch
     int refused = 0;                  // joints that requested a batch but are in none

@@ -28,14 +28,23 @@ void find_joint_batches(StepContext& step, const JointTask& task) {
     is_point.resize(levels.joints.size());
     std::vector<JointSolverPreferences>& preferences = task.batches.preferences;
     preferences.resize(levels.joints.size());
+    const SolverBodies& hot = step.scratch.solver.hot;
+    const auto is_locked = [&](std::int32_t body) {
+        if (body <= 0) return false;
+        const SolverBody& of = hot[static_cast<std::size_t>(body)];
+        return of.free_x == 0 || of.free_y == 0 || of.free_z == 0;
+    };
+    std::vector<std::uint8_t>& locked = task.batches.locked;
+    locked.resize(levels.joints.size());
     for (std::size_t k = 0; k < is_point.size(); k++) {
         const Joint& joint = world.joints.joints[levels.joints[k].joint];
         is_point[k] = holds_point(joint.kind) ? 1 : 0;
         preferences[k] = preference_bit(joint.solver);
+        locked[k] = is_locked(levels.joints[k].a) || is_locked(levels.joints[k].b) ? 1 : 0;
     }
     const JointSolver of_world = world.def.joint_solver;
     find_batches(task.batches, levels, is_point, step.scratch.solver.hot.size(),
-                 {preferences, of_world, direct_budget(world.joints.ids.alive_count())});
+                 {preferences, of_world, direct_budget(world.joints.ids.alive_count()), locked});
     task.batches.refused = 0;
     for (std::size_t k = 0; k < preferences.size(); k++)
         if (solver_of(preferences[k], of_world) == JointSolver::direct &&

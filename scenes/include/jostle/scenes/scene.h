@@ -88,6 +88,7 @@ struct SceneDescription {
     std::vector<SceneBody> bodies;
     std::vector<SceneJoint> joints;
     std::vector<SceneModule> modules;  ///< in the order in which they are added
+    std::string room = {};             ///< encoded jostle.v1.RoomSettings, for servers; empty: none
 };
 
 /// Result of build_scene().

@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <ranges>
 
 #include "jostle/client/recording_summary.h"
 #include "tests/clients/cpp/recording/recorded_world.h"
@@ -21,6 +22,18 @@ const RecordedWorld& ten_seconds() {
 
 Playback played(const RecordedWorld& world) {
     return Playback(opened(world.file).value());
+}
+
+// Players and attributes, without pings, which seeking may show up to a second later.
+std::string text_of(const WorldData& data) {
+    std::string text;
+    for (v1::Player player : data.players() | std::views::values) {
+        player.clear_ping_ms();
+        text += player.SerializeAsString();
+    }
+    for (const auto& [target, attributes] : data.attributes())
+        for (const auto& [key, attribute] : attributes) text += attribute.SerializeAsString();
+    return text;
 }
 
 }  // namespace
@@ -61,8 +74,12 @@ TEST(Playback, seeking_gives_the_same_state_as_playing_from_the_start) {
         ASSERT_TRUE(std::ranges::equal(told, truth, [](const auto& a, const auto& b) {
             return a.second.SerializeAsString() == b.second.SerializeAsString();
         }));
+        ASSERT_EQ(text_of(seeking.view().data()), text_of(sequential.view().data()));
         most = std::max(most, told.size());
     }
+    const WorldData& data = sequential.view().data();
+    EXPECT_EQ(data.players().begin()->second.name(), "recorder 585");
+    EXPECT_EQ(data.attributes().size(), 1u);
     EXPECT_EQ(most, 4u + 3u) << "bodies of the scene and thrown balls";
 }
 

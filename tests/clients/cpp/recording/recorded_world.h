@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // A recording of a real world and a real session, generated in one thread without waiting: a player
-// throws balls, so that bodies are spawned and deleted, and requests keyframes.
+// throws balls, so that bodies are spawned and deleted, changes its name and its attributes, and
+// requests keyframes.
 #pragma once
 
 #include <chrono>
@@ -56,6 +57,9 @@ inline RecordedWorld record_world(int ticks, int ticks_between_keyframes) {
         ClientOptions{.name = "recorder",
                       .events = true,
                       .channels = {"*"},
+                      .players = true,
+                      .attributes = true,
+                      .topics = {"*"},
                       .on_message = [&](const std::string& bytes, Clock::time_point when) {
                           writer.add(bytes, to_us(when) - to_us(began)).expect();
                       }});
@@ -71,11 +75,20 @@ inline RecordedWorld record_world(int ticks, int ticks_between_keyframes) {
         const double seconds = std::chrono::duration<double>(now - began).count();
         for (v1::Input& input : thrower.act(seconds, protocol.view(), protocol.stats().client_id))
             protocol.send(std::move(input));
+        if (tick % 20 == 5) {
+            v1::Attribute score;
+            score.set_key("score." + std::to_string(tick / 20 % 7));
+            if (tick % 60 != 5) score.set_integer(tick);
+            protocol.send(
+                attributes_input(AttributeTarget::player(protocol.stats().client_id), {score}));
+            protocol.send(rename_input("recorder " + std::to_string(tick)));
+            protocol.send(message_input("chat", std::to_string(tick)));
+        }
         if (tick % ticks_between_keyframes == 0) protocol.request_keyframe();
         while (const auto said = protocol.take_message(now)) link.receive(*said, now);
         const std::uint64_t before = protocol.stats().snapshots;
         while (const auto heard = link.take_message(now))
-            protocol.receive(heard->header + (heard->shared ? *heard->shared : ""), now);
+            protocol.receive(heard->concatenated(), now);
         if (protocol.stats().snapshots == before) continue;
         const snapshot::QuantizedFrame& frame = protocol.view().frame();
         made.truth[frame.frame] = frame;

@@ -178,5 +178,106 @@ TEST(JointBatches, solve_a_long_chain_with_a_heavy_end_in_two_solves) {
     EXPECT_NEAR(kept, momentum, 1e-3 * std::abs(momentum));
 }
 
+// A chassis with twelve wheels of 20 kg, of which every joint couples it to all others. `locked`
+// keeps it from being a hub.
+struct Vehicle {
+    static constexpr int wheels = 12;
+    JointLevels levels;
+    SolverBodies hot;
+    JointBatches batches;
+
+    Vehicle(float mass, bool locked) : levels(levels_of(ends(), wheels + 2)) {
+        for (const LeveledJoint& joint : levels.joints) {
+            JointConstraintWide& block = levels.blocks[static_cast<std::size_t>(joint.block)];
+            block.a[joint.lane] = joint.a;
+            block.b[joint.lane] = joint.b;
+            block.arm_a[0][joint.lane] = 0.4f * static_cast<float>(joint.b - 7);
+            block.arm_a[2][joint.lane] = joint.b % 2 == 0 ? 0.8f : -0.8f;
+            block.arm_b[1][joint.lane] = 0.05f;
+        }
+        hot.resize(wheels + 2);
+        unsigned seed = 1;
+        for (int k = 1; k <= wheels + 1; k++) {
+            SolverBody& body = hot[static_cast<std::size_t>(k)];
+            for (float* const at : {body.v, body.w})
+                for (int axis = 0; axis < 3; axis++) {
+                    seed = seed * 1664525u + 1013904223u;
+                    at[axis] = static_cast<float>(static_cast<double>(seed >> 8) / (1 << 23) - 1);
+                }
+            body.inverse_mass = k == 1 ? 1 / mass : 0.05f;
+            for (int axis = 0; axis < 3; axis++)
+                body.inertia[axis] = (k == 1 ? 1.0f : 20.0f) * body.inverse_mass;
+            body.inertia[3] = 0.3f * body.inertia[0];
+            body.free_x = body.free_y = body.free_z = 1;
+        }
+        const std::vector<std::uint8_t> all(levels.joints.size(), 1),
+            is_locked(levels.joints.size(), locked ? 1 : 0);
+        find_batches(batches, levels, all, wheels + 2, {.locked = is_locked});
+        load_batch(batches.all[0], levels);
+    }
+
+    static std::vector<std::pair<int, int>> ends() {
+        std::vector<std::pair<int, int>> list;
+        for (int k = 0; k < wheels; k++) list.push_back({1, k + 2});
+        return list;
+    }
+    void solve() {
+        const BatchView view = view_of(batches.all[0], levels);
+        const JointStep step = joint_step(1.0 / 480);
+        kernels().factor_batch(view, hot.data(), step);
+        kernels().solve_batch(view, hot.data(), step);
+        kernels().solve_batch_again(view, hot.data(), step);
+    }
+    double parting() const {
+        double most = 0;
+        for (int k = 0; k < wheels; k++) {
+            const SolverBody &a = hot[1], &b = hot[static_cast<std::size_t>(k) + 2];
+            const Vec3 arm{0.4 * (k - 5), 0, k % 2 == 0 ? 0.8 : -0.8};
+            const Vec3 at_a = to_vec3(a.v) + cross(to_vec3(a.w), arm);
+            const Vec3 at_b = to_vec3(b.v) + cross(to_vec3(b.w), {0, 0.05, 0});
+            most = std::max(most, length(at_b - at_a));
+        }
+        return most;
+    }
+    Vec3 momentum(double mass) const {
+        Vec3 sum = to_vec3(hot[1].v) * mass;
+        for (int k = 0; k < wheels; k++)
+            sum += to_vec3(hot[static_cast<std::size_t>(k) + 2].v) * 20;
+        return sum;
+    }
+};
+
+TEST(JointBatches, solve_a_hub_as_the_joints_that_it_couples) {
+    for (const float mass : {0.2f, 20.0f, 20000.0f}) {
+        Vehicle hub(mass, false), coupled(mass, true);
+        ASSERT_EQ(hub.batches.all[0].pattern->hubs.hubs.size(), 1u);
+        ASSERT_EQ(coupled.batches.all[0].pattern->hubs.hubs.size(), 0u);
+        EXPECT_LT(4 * hub.batches.all[0].pattern->work, coupled.batches.all[0].pattern->work);
+        const double before = hub.parting();
+        const Vec3 momentum = hub.momentum(double{mass});
+        hub.solve();
+        coupled.solve();
+        EXPECT_GT(before, 1);
+        EXPECT_LT(hub.parting(), 1e-5 * before) << mass;
+        EXPECT_LT(length(hub.momentum(double{mass}) - momentum), 1e-4 * (double{mass} + 240))
+            << mass;
+        for (std::size_t k = 1; k <= Vehicle::wheels + 1; k++)
+            for (int axis = 0; axis < 3; axis++) {
+                EXPECT_NEAR(hub.hot[k].v[axis], coupled.hot[k].v[axis], 2e-5) << mass << " " << k;
+                EXPECT_NEAR(hub.hot[k].w[axis], coupled.hot[k].w[axis], 1e-4) << mass << " " << k;
+            }
+    }
+}
+
+// A joint to a body that stands still has no block of its own without the hub.
+TEST(JointBatches, no_hub_hangs_on_a_body_that_stands_still) {
+    std::vector<std::pair<int, int>> ends = Vehicle::ends();
+    ends.push_back({0, 1});
+    JointLevels levels = levels_of(ends, Vehicle::wheels + 2);
+    JointBatches batches = batches_of(levels, Vehicle::wheels + 2);
+    ASSERT_EQ(batches.used, 1);
+    EXPECT_TRUE(batches.all[0].pattern->hubs.hubs.empty());
+}
+
 }  // namespace
 }  // namespace jostle::test

@@ -26,6 +26,7 @@ import { RenderClock } from '../clock/render_clock.js';
 import { renderedTime } from '../interpolation/rendered_time.js';
 import { decodeChannels } from '../snapshot/channels.js';
 import { ControlledStateDecoder, type ControlledEntity } from './word_changes.js';
+import { WorldData } from './world_data.js';
 import {
   AckSchema,
   ClientMessageSchema,
@@ -39,10 +40,12 @@ import {
   type InputResult,
   type InputSchema,
   type Notice,
+  type PlayerEvent,
   type EntityUpdate,
   type JointUpdate,
   type ServerMessage,
   type Snapshot,
+  type UserMessage,
   type Welcome,
   type WorldStats,
 } from '../gen/jostle/v1/play_pb.js';
@@ -95,6 +98,12 @@ export interface ConnectionListener {
   notice(text: string): void;
   /** Joints were added or removed; only with ConnectionOptions.joints. */
   joints?(joints: JointList['joints']): void;
+  /** A user message of a topic that the client subscribed to, in order. */
+  userMessage?(message: UserMessage): void;
+  /** A player joined, left, was renamed and so on; Connection.data is up to date. */
+  playerEvent?(event: PlayerEvent): void;
+  /** Players or attributes changed. */
+  dataChanged?(data: WorldData): void;
 }
 
 /**
@@ -137,6 +146,8 @@ export interface ConnectionOptions {
   readonly openSocket?: ((url: string) => Socket) | undefined;
   /** Bearer token of the user; default: none. */
   readonly token?: string | undefined;
+  /** Join code of a private room; default: none. */
+  readonly joinCode?: string | undefined;
   /** Channel kinds to subscribe to; default: none. */
   readonly channelKinds?: readonly string[] | undefined;
   /** Default: the whole world. */
@@ -145,6 +156,16 @@ export interface ConnectionOptions {
   readonly precision?: Precision | undefined;
   /** Receives the joints of the world; default: false. */
   readonly joints?: boolean | undefined;
+  /** Display name, at most 32 bytes; default: "browser". */
+  readonly name?: string | undefined;
+  /** 0xRRGGBB, of the player; default: none. */
+  readonly color?: number | undefined;
+  /** Subscribes to the player list (Connection.data); default: false. */
+  readonly players?: boolean | undefined;
+  /** Subscribes to attributes (Connection.data); default: false. */
+  readonly attributes?: boolean | undefined;
+  /** Topics of user messages to subscribe to, at most 64; "*": all; default: none. */
+  readonly topics?: readonly string[] | undefined;
 }
 
 /** A play stream that reconnects. join() starts it, stop() ends it. */
@@ -158,6 +179,8 @@ export class Connection {
   readonly entities = new Map<number, Entity>();
   /** Joints of the world, if requested. */
   readonly joints = new JointList();
+  /** Players and attributes that the client subscribed to. */
+  readonly data = new WorldData();
   welcome: Welcome | undefined; // undefined: before the first connection
   bytesReceived = 0;
   snapshots = 0; // decoded
@@ -177,6 +200,7 @@ export class Connection {
   private focus = { x: 0, z: 0 };
   private readonly inputs = new InputQueue<Input>();
   private resumeToken = new Uint8Array(0); // empty: no session to resume
+  private lastUserMessage = 0; // number, in this session; 0: none
   private needKeyframe = false;
   private ackDue = false;
   private lastAck = 0;
@@ -196,20 +220,26 @@ export class Connection {
   private readonly listener: ConnectionListener;
   private readonly openSocket: (url: string) => Socket;
   private readonly token: string;
+  private readonly joinCode: string;
   private readonly channelKinds: readonly string[];
   private readonly areaOfInterest: AreaOfInterest | undefined;
   private readonly precision: Precision | undefined;
   private readonly wantsJoints: boolean;
+  private readonly identity: { readonly name: string; readonly color?: number };
+  private readonly subscriptions: { readonly players: boolean; readonly attributes: boolean; readonly topics: string[] };
 
   constructor(options: ConnectionOptions) {
     this.url = options.url;
     this.listener = options.listener;
     this.openSocket = options.openSocket ?? openSocket;
     this.token = options.token ?? '';
+    this.joinCode = options.joinCode ?? '';
     this.channelKinds = options.channelKinds ?? [];
     this.areaOfInterest = options.areaOfInterest;
     this.precision = options.precision;
     this.wantsJoints = options.joints ?? false;
+    this.identity = { name: options.name ?? 'browser', ...(options.color === undefined ? {} : { color: options.color }) };
+    this.subscriptions = { players: options.players ?? false, attributes: options.attributes ?? false, topics: [...(options.topics ?? [])] };
   }
 
   /**
@@ -331,16 +361,16 @@ export class Connection {
     this.socket = socket;
     socket.binaryType = 'arraybuffer';
     socket.onopen = () => {
-      const { world, token, eventsEnabled: events } = this;
+      const { world, token, joinCode, eventsEnabled: events } = this;
       const channels = [...this.channelKinds];
-      const hello = { protocol: PROTOCOL, world, name: 'browser', events, token, channels, codec: NEWEST_CODEC,
+      const hello = { protocol: PROTOCOL, world, ...this.identity, ...this.subscriptions, events, token, joinCode, channels, codec: NEWEST_CODEC,
         maxKbps: this.areaOfInterest?.maxKbps ?? 0,
         packedEntities: true,
         joints: this.wantsJoints,
         ...(this.areaOfInterest ? { interest: this.interest(this.areaOfInterest) } : {}),
         ...(this.precision ? { precision: { farFactor: 1, ...this.precision } } : {}),
         resumable: true,
-        ...(this.resumeToken.length > 0 ? { resume: { token: this.resumeToken, frame: this.frames.newest?.frame ?? 0 } } : {}),
+        ...(this.resumeToken.length > 0 ? { resume: { token: this.resumeToken, frame: this.frames.newest?.frame ?? 0, message: this.lastUserMessage } } : {}),
       };
       this.sendMessage({ case: 'hello', value: hello });
     };
@@ -428,7 +458,10 @@ export class Connection {
     }
     this.resumeToken = new Uint8Array(welcome.resumeToken);
     if (welcome.resumed) this.inputs.resumeAfter(welcome.lastSequence);
-    else this.inputs.startNewSession();
+    else {
+      this.inputs.startNewSession();
+      this.lastUserMessage = 0;
+    }
     this.resumed += welcome.resumed ? 1 : 0;
     if (!welcome.statePreserved) {
       this.clearWorld(welcome);
@@ -451,6 +484,7 @@ export class Connection {
     this.clock.reset();
     this.entities.clear();
     this.largeShapes.clear();
+    this.data.clear();
     this.controlledEntity.reset();
     this.joints.clear();
     if (this.wantsJoints) this.listener.joints?.(this.joints.joints);
@@ -502,6 +536,7 @@ export class Connection {
       if (this.inputs.onResult(result.sequence) && result.code !== InputCode.APPLIED) this.listener.inputRejected(result);
     if (s.stats) this.listener.stats(s.stats);
     for (const tick of s.events) this.listener.worldEvents(tick);
+    this.onData(s);
     // An ack that waits for the next batch would inflate the measured latency.
     if (this.inputs.length === 0) this.sendAckIfDue();
   }
@@ -509,6 +544,16 @@ export class Connection {
   private onJoints(update: JointUpdate): void {
     if (this.joints.apply(update) !== undefined) this.decodeErrors++;
     else this.listener.joints?.(this.joints.joints);
+  }
+
+  private onData(s: Snapshot): void {
+    this.data.apply(s);
+    for (const { events } of s.players) for (const event of events) this.listener.playerEvent?.(event);
+    if (s.players.length > 0 || s.attributes.length > 0) this.listener.dataChanged?.(this.data);
+    for (const message of s.messages) {
+      this.lastUserMessage = message.number;
+      this.listener.userMessage?.(message);
+    }
   }
 
   private decode(s: Snapshot): void {

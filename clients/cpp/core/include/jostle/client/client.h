@@ -70,6 +70,12 @@ public:
     /// Returns the events since the last call, one entry per tick with events, in order. Only the
     /// newest 1024 are stored; `missed` of the next entry counts the others.
     std::vector<v1::Events> take_events();
+    /// Returns the user messages since the last call, in order (ClientOptions::topics). Only the
+    /// newest 1024 are stored.
+    std::vector<v1::UserMessage> take_messages();
+    /// Returns the player events since the last call, in order (ClientOptions::players). Only the
+    /// newest 1024 are stored. The player list is in WorldView::data().
+    std::vector<v1::PlayerEvent> take_player_events();
     /// Returns the age of each snapshot when it was decoded, ms, since the last call. At most 65536
     /// are stored; later ones are discarded.
     std::vector<float> take_ages_ms();

@@ -44,6 +44,11 @@ struct ClientOptions {
     std::vector<std::string> channels = {};
     /// Receives the joints of the world: WorldView::joints().
     bool joints = false;
+    bool players = false;     ///< subscribes to the player list: WorldView::data()
+    bool attributes = false;  ///< subscribes to attributes: WorldView::data()
+    /// Topics of user messages to subscribe to, at most 64: Client::take_messages(); "*": all.
+    std::vector<std::string> topics = {};
+    std::optional<std::uint32_t> color = {};  ///< 0xRRGGBB, of the player; absent: none
     /// The highest snapshot codec to request, 1 or 2. Codec 2 needs two thirds of the bytes of
     /// codec 1 and about twice the time to decode.
     std::uint32_t codec = 2;
@@ -82,6 +87,8 @@ struct ClientOptions {
     /// datagrams, because a recording cannot use late snapshots). Called on the loop's thread. It
     /// must be quick and must not call functions of this client.
     std::function<void(const std::string& bytes, Clock::time_point now)> on_message = {};
+    /// Join code of a private room; a ticket replaces it.
+    std::string join_code = {};
 };
 
 }  // namespace jostle::client

@@ -23,8 +23,11 @@ struct ClientStats {
     bool datagrams = false;             ///< datagrams currently get through
     /// snapshots received as datagrams; included in `snapshots`
     std::uint64_t datagram_snapshots = 0;
-    std::uint64_t stale_snapshots = 0;  ///< discarded because a newer one had arrived
-    double rtt_ms = 0;                  ///< round-trip time, ms; see ClockSync
+    std::uint64_t stale_snapshots = 0;    ///< discarded because a newer one had arrived
+    std::uint64_t messages_received = 0;  ///< user messages
+    /// User messages that the server no longer stored when this client was ready to receive them.
+    std::uint64_t messages_missed = 0;
+    double rtt_ms = 0;           ///< round-trip time, ms; see ClockSync
     double input_margin_ms = 0;  ///< see InputClock; for inputs without a tick: their waiting time
     std::string last_error;      ///< the newest failure or notice of the server, as text
 };

@@ -27,6 +27,7 @@ using Point = std::array<double, 3>;  ///< m, world; also for directions
 struct QueryOptions {
     std::uint32_t categories = 0xffffffff;  ///< finds shapes whose category has a bit in this mask
     bool triggers = false;                  ///< also finds triggers
+    bool deformables = false;               ///< also finds ropes and cloth
     std::uint32_t ignore = 0;               ///< an entity to skip; 0: none
     /// Lag compensation: evaluates the query against the poses of this time
     /// (Client::rendered_time()). Absent: the current state.
@@ -35,19 +36,27 @@ struct QueryOptions {
 
 /// A hit of a ray.
 struct RayHit {
-    std::uint32_t entity = 0;
-    std::uint32_t shape = 0;  ///< index among the entity's shapes
-    double fraction = 0;      ///< of the motion, 0 to 1
+    std::uint32_t entity = 0;  ///< 0: a rope or cloth was hit
+    std::uint32_t object = 0;  ///< PointObject.id of the rope or cloth; 0: an entity was hit
+    std::uint32_t shape = 0;   ///< index among the entity's shapes
+    double fraction = 0;       ///< of the motion, 0 to 1
     Point point{};
     Point normal{};  ///< unit, pointing out of the shape
 };
 
+/// The objects that overlap a shape or contain a point.
+struct Overlaps {
+    std::vector<std::uint32_t> entities;  ///< ascending
+    std::vector<std::uint32_t> objects;   ///< ropes and cloths (PointObject.id), ascending
+};
+
 /// The closest surface point.
 struct ClosestPointHit {
-    std::uint32_t entity = 0;
-    double distance = 0;  ///< m; negative: the point is inside
-    Point point{};        ///< on the surface
-    Point normal{};       ///< unit, pointing out of the shape
+    std::uint32_t entity = 0;  ///< 0: of a rope or cloth
+    std::uint32_t object = 0;  ///< PointObject.id of the rope or cloth; 0: of an entity
+    double distance = 0;       ///< m; negative: the point is inside
+    Point point{};             ///< on the surface
+    Point normal{};            ///< unit, pointing out of the shape
 };
 
 /// The value of a query and the state that it refers to.
@@ -71,12 +80,10 @@ public:
     /// Returns the closest hit of the ray from `origin` to `origin + motion`, if any.
     Result<QueryResult<std::optional<RayHit>>> cast_ray(Point origin, Point motion,
                                                         const QueryOptions& options = {});
-    /// Returns the entities that overlap a convex shape, posed in the world; ascending.
-    Result<QueryResult<std::vector<std::uint32_t>>> overlap(const v1::Shape& shape,
-                                                            const QueryOptions& options = {});
-    /// Returns the entities that contain a point; ascending.
-    Result<QueryResult<std::vector<std::uint32_t>>> overlap(Point point,
-                                                            const QueryOptions& options = {});
+    /// Returns what overlaps a convex shape, posed in the world.
+    Result<QueryResult<Overlaps>> overlap(const v1::Shape& shape, const QueryOptions& options = {});
+    /// Returns what contains a point.
+    Result<QueryResult<Overlaps>> overlap(Point point, const QueryOptions& options = {});
     /// Returns the closest surface point within `max_distance` (m), if any.
     Result<QueryResult<std::optional<ClosestPointHit>>> closest_point(
         Point point, double max_distance, const QueryOptions& options = {});

@@ -20,13 +20,16 @@ public:
     explicit WorldClient(const std::string& target, Security security = {});
     ~WorldClient();
 
-    /// Lists the worlds and the catalogue scenes.
-    Result<v1::ListWorldsResponse> list();
+    /// Lists the worlds and the catalogue scenes. `request`: a filter of worlds and rooms.
+    Result<v1::ListWorldsResponse> list(const v1::ListWorldsRequest& request = {});
     /// Creates a world.
     Result<v1::CreateWorldResponse> create(const v1::CreateWorldRequest& request);
     Status remove(const std::string& world);  ///< deletes a world; id or name
-    /// Returns a ticket for ClientOptions::ticket.
-    Result<v1::JoinWorldResponse> join(const std::string& world);
+    /// Returns a ticket for ClientOptions::ticket. `join_code`: of a private room.
+    Result<v1::JoinWorldResponse> join(const std::string& world, const std::string& join_code = {});
+    /// Joins a room that matches, or else creates one and joins it.
+    Result<v1::JoinOrCreateWorldResponse> join_or_create(
+        const v1::JoinOrCreateWorldRequest& request);
 
 private:
     struct Impl;

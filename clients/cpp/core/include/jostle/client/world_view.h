@@ -17,6 +17,7 @@
 #include "jostle/base/result.h"
 #include "jostle/client/joint_list.h"
 #include "jostle/client/point_objects.h"
+#include "jostle/client/world_data.h"
 #include "jostle/snapshot/channel_codec.h"
 #include "jostle/snapshot/frame_codec.h"
 #include "jostle/snapshot/quantize.h"
@@ -49,6 +50,10 @@ public:
 
     /// Applies the point objects of a snapshot, before or after apply(); see PointObjects::apply().
     Status apply_points(const v1::Snapshot& snapshot) { return points_.apply(snapshot); }
+
+    /// Applies the players and attributes of a snapshot, before or after apply(). They do not
+    /// depend on the poses.
+    void apply_data(const v1::Snapshot& snapshot) { data_.apply(snapshot); }
 
     /// Applies the state of the controlled entity. Returns an error if its baseline is unknown; the
     /// next keyframe is accepted again.
@@ -101,6 +106,8 @@ public:
     Status apply(const v1::JointUpdate& update) { return joints_.apply(update); }
     /// Joints by id, if ClientOptions::joints is set.
     const std::map<std::uint32_t, ListedJoint>& joints() const { return joints_.joints(); }
+    /// Players and attributes.
+    const WorldData& data() const { return data_; }
 
     /// The state of the entity that this client controls, for prediction
     /// (jostle/modules/controlled_entity_state.h defines the words, which are untrusted). Entity 0:
@@ -140,6 +147,7 @@ private:
     std::map<std::uint64_t, v1::Shape> geometry_;  // chunked shapes, by id
     PointObjects points_;
     JointList joints_;
+    WorldData data_;
     ControlledEntityState controlled_entity_;
     struct PartialGeometry {
         std::uint64_t id = 0;

@@ -19,6 +19,7 @@ struct RecordingSummary {
     std::uint64_t message_bytes = 0;                  ///< without the overhead of the file
     std::uint64_t keyframes = 0, keyframe_bytes = 0;  ///< number of keyframes and their size
     std::size_t entities = 0, entities_max = 0;       ///< at the end, and maximum
+    std::uint64_t user_messages = 0, player_events = 0, attribute_updates = 0;  ///< numbers of them
     std::map<std::string, std::uint64_t> messages{};  ///< number of messages by kind
     std::uint64_t errors = 0;   ///< number of places with corrupt records, which are skipped
     std::string first_error{};  ///< empty: none

@@ -10,6 +10,8 @@ import type { GenEnum, GenFile, GenMessage, GenService } from "@bufbuild/protobu
 import { enumDesc, fileDesc, messageDesc, serviceDesc } from "@bufbuild/protobuf/codegenv2";
 import type { Precision, Quat, Vec3, ViewTime } from "./common_pb.js";
 import { file_jostle_v1_common } from "./common_pb.js";
+import type { ProtectedArea, RoomSettings } from "./room_pb.js";
+import { file_jostle_v1_room } from "./room_pb.js";
 import type { BodyType, Joint, Locks, Shape, View } from "./scene_pb.js";
 import { file_jostle_v1_scene } from "./scene_pb.js";
 import type { Message } from "@bufbuild/protobuf";
@@ -18,7 +20,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file jostle/v1/play.proto.
  */
 export const file_jostle_v1_play: GenFile = /*@__PURE__*/
-  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIvEBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAEicKCGludGVyZXN0GAYgASgLMhMuam9zdGxlLnYxLkludGVyZXN0SABCCQoHbWVzc2FnZSKCAwoFSGVsbG8SEAoIcHJvdG9jb2wYASABKA0SDQoFd29ybGQYAiABKAkSDgoGdGlja2V0GAMgASgJEgwKBG5hbWUYBCABKAkSEwoLc25hcHNob3RfaHoYBSABKA0SEQoJc3BlY3RhdG9yGAYgASgIEg4KBmV2ZW50cxgHIAEoCBINCgV0b2tlbhgIIAEoCRIQCghjaGFubmVscxgJIAMoCRINCgVjb2RlYxgKIAEoDRIQCghtYXhfa2JwcxgLIAEoDRIlCghpbnRlcmVzdBgOIAEoCzITLmpvc3RsZS52MS5JbnRlcmVzdBInCglwcmVjaXNpb24YDyABKAsyFC5qb3N0bGUudjEuUHJlY2lzaW9uEhcKD3BhY2tlZF9lbnRpdGllcxgQIAEoCBIRCglkYXRhZ3JhbXMYFCABKAgSEQoJcmVzdW1hYmxlGDwgASgIEiEKBnJlc3VtZRg9IAEoCzIRLmpvc3RsZS52MS5SZXN1bWUSDgoGam9pbnRzGFAgASgIIiYKBlJlc3VtZRINCgV0b2tlbhgBIAEoDBINCgVmcmFtZRgCIAEoDSI6CghJbnRlcmVzdBIeCgVmb2N1cxgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEg4KBnJhZGl1cxgCIAEoASJ7CgpJbnB1dEJhdGNoEhYKDmZpcnN0X3NlcXVlbmNlGAEgASgNEiAKBmlucHV0cxgCIAMoCzIQLmpvc3RsZS52MS5JbnB1dBIbCgNhY2sYAyABKAsyDi5qb3N0bGUudjEuQWNrEhYKDmNsaWVudF90aW1lX3VzGAQgASgHIrsDCgVJbnB1dBImCgVzcGF3bhgBIAEoCzIVLmpvc3RsZS52MS5TcGF3bklucHV0SAASKgoHaW1wdWxzZRgCIAEoCzIXLmpvc3RsZS52MS5JbXB1bHNlSW5wdXRIABIkCgRncmFiGAMgASgLMhQuam9zdGxlLnYxLkdyYWJJbnB1dEgAEiQKBGRyYWcYBCABKAsyFC5qb3N0bGUudjEuRHJhZ0lucHV0SAASKgoHcmVsZWFzZRgFIAEoCzIXLmpvc3RsZS52MS5SZWxlYXNlSW5wdXRIABIoCgZkZWxldGUYBiABKAsyFi5qb3N0bGUudjEuRGVsZXRlSW5wdXRIABIqCgdleHBsb2RlGAcgASgLMhcuam9zdGxlLnYxLkV4cGxvZGVJbnB1dEgAEioKB3Bvc3Nlc3MYCCABKAsyFy5qb3N0bGUudjEuUG9zc2Vzc0lucHV0SAASKgoHY29udHJvbBgJIAEoCzIXLmpvc3RsZS52MS5Db250cm9sSW5wdXRIABIiCgNjdXQYCiABKAsyEy5qb3N0bGUudjEuQ3V0SW5wdXRIABIMCgR0aWNrGA8gASgNQgYKBGtpbmQi5gEKClNwYXduSW5wdXQSHwoFc2hhcGUYASABKAsyEC5qb3N0bGUudjEuU2hhcGUSIQoIcG9zaXRpb24YAiABKAsyDy5qb3N0bGUudjEuVmVjMxIhCghyb3RhdGlvbhgDIAEoCzIPLmpvc3RsZS52MS5RdWF0EigKD2xpbmVhcl92ZWxvY2l0eRgEIAEoCzIPLmpvc3RsZS52MS5WZWMzEikKEGFuZ3VsYXJfdmVsb2NpdHkYBSABKAsyDy5qb3N0bGUudjEuVmVjMxISCgVjb2xvchgGIAEoB0gAiAEBQggKBl9jb2xvciJ/CgNBaW0SHwoGb3JpZ2luGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSHwoGbW90aW9uGAIgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGaWdub3JlGAMgASgNEiYKCXZpZXdfdGltZRgEIAEoCzITLmpvc3RsZS52MS5WaWV3VGltZSKNAQoMSW1wdWxzZUlucHV0Eg4KBmVudGl0eRgBIAEoDRIgCgdpbXB1bHNlGAIgASgLMg8uam9zdGxlLnYxLlZlYzMSHgoFcG9pbnQYAyABKAsyDy5qb3N0bGUudjEuVmVjMxIbCgNhaW0YBCABKAsyDi5qb3N0bGUudjEuQWltEg4KBm9iamVjdBgFIAEoDSJoCglHcmFiSW5wdXQSDgoGZW50aXR5GAEgASgNEh4KBXBvaW50GAIgASgLMg8uam9zdGxlLnYxLlZlYzMSGwoDYWltGAMgASgLMg4uam9zdGxlLnYxLkFpbRIOCgZvYmplY3QYBCABKA0iLAoJRHJhZ0lucHV0Eh8KBnRhcmdldBgBIAEoCzIPLmpvc3RsZS52MS5WZWMzIg4KDFJlbGVhc2VJbnB1dCIdCgtEZWxldGVJbnB1dBIOCgZlbnRpdHkYASABKA0iawoMRXhwbG9kZUlucHV0Eh8KBmNlbnRlchgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEg4KBnJhZGl1cxgCIAEoARINCgVzcGVlZBgDIAEoARIbCgNhaW0YBCABKAsyDi5qb3N0bGUudjEuQWltIlcKCEN1dElucHV0Eg4KBm9iamVjdBgBIAEoDRIeCgVwb2ludBgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEhsKA2FpbRgDIAEoCzIOLmpvc3RsZS52MS5BaW0iHgoMUG9zc2Vzc0lucHV0Eg4KBmVudGl0eRgBIAEoDSItCgxDb250cm9sSW5wdXQSDAoEYXhlcxgBIAMoERIPCgdidXR0b25zGAIgASgNIlMKA0FjaxINCgVmcmFtZRgBIAEoDRIVCg1uZWVkX2tleWZyYW1lGAIgASgIEhQKDGFja19kZWxheV9tcxgDIAEoDRIQCghhY2tfYml0cxgIIAEoByIeCgRQaW5nEhYKDmNsaWVudF90aW1lX3VzGAEgASgGIgcKBUxlYXZlIsACCg1TZXJ2ZXJNZXNzYWdlEiUKB3dlbGNvbWUYASABKAsyEi5qb3N0bGUudjEuV2VsY29tZUgAEjAKDWVudGl0eV91cGRhdGUYAiABKAsyFy5qb3N0bGUudjEuRW50aXR5VXBkYXRlSAASJwoIc25hcHNob3QYAyABKAsyEy5qb3N0bGUudjEuU25hcHNob3RIABIfCgRwb25nGAUgASgLMg8uam9zdGxlLnYxLlBvbmdIABIjCgZub3RpY2UYByABKAsyES5qb3N0bGUudjEuTm90aWNlSAASLAoIZ2VvbWV0cnkYCSABKAsyGC5qb3N0bGUudjEuR2VvbWV0cnlDaHVua0gAQgkKB21lc3NhZ2VKBAgEEAVKBAgGEAdKBAgIEAlSDWlucHV0X3Jlc3VsdHNSBXN0YXRzUgZldmVudHMiWgoKQ2VsbFVwZGF0ZRIMCgRjZWxsGAEgASgNEg4KBm51bWJlchgCIAEoDRIRCgliYXNlbGluZXMYAyABKA0SDgoGcGFja2VkGAQgASgMEgsKA2NyYxgFIAEoByLuBAoHV2VsY29tZRIRCgljbGllbnRfaWQYASABKA0SEAoId29ybGRfaWQYAiABKAkSEgoKd29ybGRfbmFtZRgDIAEoCRIMCgR0aWNrGAQgASgNEg8KB3RpY2tfaHoYBSABKAESEwoLc25hcHNob3RfaHoYBiABKA0SIwoFcXVhbnQYCCABKAsyFC5qb3N0bGUudjEuUXVhbnRTcGVjEhYKDnNlcnZlcl90aW1lX3VzGAkgASgGEiAKB2dyYXZpdHkYCiABKAsyDy5qb3N0bGUudjEuVmVjMxIoCghjaGFubmVscxgLIAMoCzIWLmpvc3RsZS52MS5DaGFubmVsS2luZBINCgVjb2RlYxgMIAEoDRIXCg9hY2tfaW50ZXJ2YWxfbXMYDSABKA0SEAoIZXBvY2hfdXMYDiABKAYSDQoFY2VsbHMYDyABKAgSJwoJcHJlY2lzaW9uGBIgASgLMhQuam9zdGxlLnYxLlByZWNpc2lvbhIQCghzdWJzdGVwcxgQIAEoDRIxCglkYXRhZ3JhbXMYFCABKAsyHi5qb3N0bGUudjEuRGF0YWdyYW1DcmVkZW50aWFscxIUCgxyZXN1bWVfdG9rZW4YPCABKAwSDwoHcmVzdW1lZBg9IAEoCBIXCg9zdGF0ZV9wcmVzZXJ2ZWQYPiABKAgSFQoNbGFzdF9zZXF1ZW5jZRg/IAEoDRIeChZyZXN1bWVfdGltZW91dF9zZWNvbmRzGEAgASgBEg4KBnBsYW5hchhQIAEoCBIdCgR2aWV3GFEgASgLMg8uam9zdGxlLnYxLlZpZXdKBAgHEAhSCmFja193aW5kb3ciPAoTRGF0YWdyYW1DcmVkZW50aWFscxIMCgRwb3J0GAEgASgNEgoKAmlkGAIgASgGEgsKA2tleRgDIAEoDCJSCgtDaGFubmVsS2luZBIMCgRuYW1lGAEgASgJEiQKBGZvcm0YAiABKA4yFi5qb3N0bGUudjEuQ2hhbm5lbEZvcm0SDwoHZGl2aXNvchgDIAEoDSKzAgoLUG9pbnRPYmplY3QSCgoCaWQYASABKA0SDAoEa2luZBgCIAEoDRILCgNrZXkYAyABKA0SDgoGZW50aXR5GAQgASgNEiIKBGZvcm0YBSABKA4yFC5qb3N0bGUudjEuUG9pbnRGb3JtEg8KB3N0ZXBfdW0YBiABKA0SDgoGcG9pbnRzGAcgASgNEg8KB2NvbHVtbnMYCCABKA0SDwoHc3RyYW5kcxgJIAMoDRIRCgl0cmlhbmdsZXMYCiADKBESDgoGcmFkaXVzGAsgASgCEhIKBWNvbG9yGAwgASgHSACIAQESHwoGb3JpZ2luGA0gASgLMg8uam9zdGxlLnYxLlZlYzMSEQoJc3BhY2luZ194GA4gASgCEhEKCXNwYWNpbmdfehgPIAEoAkIICgZfY29sb3IiZgoLUG9pbnRVcGRhdGUSDgoGb2JqZWN0GAEgASgNEg4KBm51bWJlchgCIAEoDRIMCgRiYWNrGAMgASgNEgwKBHRpY2sYBCABKA0SDgoGcGFja2VkGAUgASgMEgsKA2NyYxgGIAEoByJACglRdWFudFNwZWMSFwoPdW5pdHNfcGVyX21ldGVyGAEgASgNEhoKEnJvdGF0aW9uX2NvbXBvbmVudBgCIAEoDSJNCg1HZW9tZXRyeUNodW5rEgoKAmlkGAEgASgGEg0KBWNodW5rGAIgASgNEhMKC2NodW5rX2NvdW50GAMgASgNEgwKBGRhdGEYBCABKAwieAoMRW50aXR5VXBkYXRlEiAKBWFkZGVkGAEgAygLMhEuam9zdGxlLnYxLkVudGl0eRIPCgdyZW1vdmVkGAIgAygNEg4KBnBhY2tlZBgDIAEoDBIlCgpwcm90b3R5cGVzGAQgAygLMhEuam9zdGxlLnYxLkVudGl0eSLJAgoGRW50aXR5EgoKAmlkGAEgASgNEiEKBHR5cGUYAiABKA4yEy5qb3N0bGUudjEuQm9keVR5cGUSIAoGc2hhcGVzGAMgAygLMhAuam9zdGxlLnYxLlNoYXBlEg0KBW93bmVyGAQgASgNEhIKBWNvbG9yGAUgASgHSACIAQESDAoEbmFtZRgGIAEoCRIMCgRtYXNzGAcgASgBEhQKDGNvbnRyb2xsYWJsZRgIIAEoCBIWCg5saW5lYXJfZGFtcGluZxgJIAEoARIXCg9hbmd1bGFyX2RhbXBpbmcYCiABKAESGgoNZ3Jhdml0eV9zY2FsZRgLIAEoAUgBiAEBEh8KBWxvY2tzGAwgASgLMhAuam9zdGxlLnYxLkxvY2tzEg8KB2pvaW50ZWQYDSABKAhCCAoGX2NvbG9yQhAKDl9ncmF2aXR5X3NjYWxlIkkKCUpvaW50SW5mbxIKCgJpZBgBIAEoDRIQCghlbnRpdHlfYRgCIAEoDRIQCghlbnRpdHlfYhgDIAEoDRIMCgRmb3JtGAQgASgNInYKC0pvaW50VXBkYXRlEhAKCGNvbXBsZXRlGAEgASgIEg8KB3JlbW92ZWQYAiADKA0SIwoFYWRkZWQYAyADKAsyFC5qb3N0bGUudjEuSm9pbnRJbmZvEh8KBWZvcm1zGAQgAygLMhAuam9zdGxlLnYxLkpvaW50IvEECghTbmFwc2hvdBINCgVmcmFtZRgBIAEoDRIRCgliYXNlbGluZXMYAiABKA0SDgoGcGFja2VkGAUgASgMEgsKA2NyYxgGIAEoBxIPCgdsYXRlX3VzGAcgASgSEhAKCGNoYW5uZWxzGAkgASgMEhQKDGNoYW5uZWxzX2NyYxgKIAEoBxIXCg91bmNoYW5nZWRfdGlja3MYCyABKA0SJAoFc3RhdHMYDCABKAsyFS5qb3N0bGUudjEuV29ybGRTdGF0cxIhCgZldmVudHMYDSADKAsyES5qb3N0bGUudjEuRXZlbnRzEi4KDWNsaWVudF91cGRhdGUYDyABKAsyFy5qb3N0bGUudjEuQ2xpZW50VXBkYXRlEiQKBWNlbGxzGBAgAygLMhUuam9zdGxlLnYxLkNlbGxVcGRhdGUSEgoKY2VsbHNfbGVmdBgRIAMoDRI7ChFjb250cm9sbGVkX2VudGl0eRgSIAEoCzIgLmpvc3RsZS52MS5Db250cm9sbGVkRW50aXR5U3RhdGUSLQoNcG9pbnRfb2JqZWN0cxgTIAMoCzIWLmpvc3RsZS52MS5Qb2ludE9iamVjdBImCgZwb2ludHMYFCADKAsyFi5qb3N0bGUudjEuUG9pbnRVcGRhdGUSFAoMcG9pbnRzX2VuZGVkGBUgAygNEiYKBmpvaW50cxgkIAEoCzIWLmpvc3RsZS52MS5Kb2ludFVwZGF0ZUoECAMQBEoECAQQBUoECAgQCVIKYmFzZV9mcmFtZVILYmFzZTJfZnJhbWVSC2Jhc2UzX2ZyYW1lUg5zZXJ2ZXJfdGltZV91c1IHbW9kdWxlcyK4AQoMQ2xpZW50VXBkYXRlEhYKDmlucHV0X3NlcXVlbmNlGAEgASgNEhsKE2VjaG9fY2xpZW50X3RpbWVfdXMYAiABKAcSGQoRc25hcHNob3RzX3NraXBwZWQYAyABKA0SJwoHcmVzdWx0cxgEIAMoCzIWLmpvc3RsZS52MS5JbnB1dFJlc3VsdBIXCg9pbnB1dF9tYXJnaW5fdXMYByABKBESFgoOaW5wdXRfcmVjZWl2ZWQYDCABKA0ijAEKFUNvbnRyb2xsZWRFbnRpdHlTdGF0ZRIOCgZlbnRpdHkYASABKA0SDgoGbW9kdWxlGAIgASgJEgwKBHRpY2sYAyABKA0SDQoFd29yZHMYBCABKA0SEAoIa2V5ZnJhbWUYBSABKAgSFAoMY2hhbmdlZF9tYXNrGAYgASgMEg4KBnZhbHVlcxgHIAEoDCKlAQoLSW5wdXRSZXN1bHQSEAoIc2VxdWVuY2UYASABKA0SIgoEY29kZRgCIAEoDjIULmpvc3RsZS52MS5JbnB1dENvZGUSDAoEdGljaxgDIAEoDRIOCgZlbnRpdHkYBCABKA0SDwoHbWVzc2FnZRgFIAEoCRIZChF2aWV3X3RpbWVfY2xhbXBlZBgGIAEoCBIWCg5yZXRyeV9hZnRlcl9tcxgHIAEoDSI2CgRQb25nEhYKDmNsaWVudF90aW1lX3VzGAEgASgGEhYKDnNlcnZlcl90aW1lX3VzGAIgASgGIr8BCgpXb3JsZFN0YXRzEgwKBHRpY2sYASABKA0SDgoGYm9kaWVzGAIgASgNEg0KBWF3YWtlGAMgASgNEhAKCGNvbnRhY3RzGAQgASgNEg8KB2NsaWVudHMYBSABKA0SFAoMc3RlcF9tc19tZWFuGAYgASgBEhMKC3N0ZXBfbXNfbWF4GAcgASgBEhIKCmxhdGVfdGlja3MYCCABKA0SDgoGcGF1c2VkGAkgASgJEhIKCnRpbWVfc2NhbGUYCiABKAEiPgoGTm90aWNlEiMKBGNvZGUYASABKA4yFS5qb3N0bGUudjEuTm90aWNlQ29kZRIPCgdtZXNzYWdlGAIgASgJIsQDCgZFdmVudHMSDAoEdGljaxgBIAEoDRIvCg5jb250YWN0c19iZWdhbhgCIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSLwoOY29udGFjdHNfZW5kZWQYAyADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EikKCGNvbnRhY3RzGAQgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIlCgRoaXRzGAUgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIxChB0cmlnZ2Vyc19lbnRlcmVkGAYgAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIwCg90cmlnZ2Vyc19zdGF5ZWQYByADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50Ei4KDXRyaWdnZXJzX2xlZnQYCCADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50EjAKDGpvaW50c19icm9rZRgJIAMoCzIaLmpvc3RsZS52MS5Kb2ludEJyZWFrRXZlbnQSEwoLZmVsbF9hc2xlZXAYCiADKA0SDAoEd29rZRgLIAMoDRIOCgZtaXNzZWQYDCABKA0ikwEKDENvbnRhY3RFdmVudBIQCghlbnRpdHlfYRgBIAEoDRIQCghlbnRpdHlfYhgCIAEoDRIeCgVwb2ludBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzEh8KBm5vcm1hbBgEIAEoCzIPLmpvc3RsZS52MS5WZWMzEg0KBXNwZWVkGAUgASgBEg8KB2ltcHVsc2UYBiABKAEiLwoMVHJpZ2dlckV2ZW50Eg8KB3RyaWdnZXIYASABKA0SDgoGZW50aXR5GAIgASgNIlQKD0pvaW50QnJlYWtFdmVudBIQCghlbnRpdHlfYRgBIAEoDRIQCghlbnRpdHlfYhgCIAEoDRINCgVmb3JjZRgDIAEoARIOCgZ0b3JxdWUYBCABKAEqjgEKC0NoYW5uZWxGb3JtEhwKGENIQU5ORUxfRk9STV9VTlNQRUNJRklFRBAAEhcKE0NIQU5ORUxfRk9STV9QQVJBTVMQARIXChNDSEFOTkVMX0ZPUk1fUE9JTlRTEAISFQoRQ0hBTk5FTF9GT1JNX1NFRUQQBCIECAMQAyoSQ0hBTk5FTF9GT1JNX0ZJRUxEKpwBCglQb2ludEZvcm0SGgoWUE9JTlRfRk9STV9VTlNQRUNJRklFRBAAEhQKEFBPSU5UX0ZPUk1fTE9PU0UQARIWChJQT0lOVF9GT1JNX1NUUkFORFMQAhITCg9QT0lOVF9GT1JNX0dSSUQQAxIYChRQT0lOVF9GT1JNX1RSSUFOR0xFUxAEEhYKElBPSU5UX0ZPUk1fSEVJR0hUUxAFKr8BCglJbnB1dENvZGUSGgoWSU5QVVRfQ09ERV9VTlNQRUNJRklFRBAAEhYKEklOUFVUX0NPREVfQVBQTElFRBABEhYKEklOUFVUX0NPREVfSU5WQUxJRBACEhgKFElOUFVUX0NPREVfTk9UX0ZPVU5EEAMSGgoWSU5QVVRfQ09ERV9OT1RfQUxMT1dFRBAEEhQKEElOUFVUX0NPREVfTElNSVQQBRIaChZJTlBVVF9DT0RFX1VOQVZBSUxBQkxFEAYqtwEKCk5vdGljZUNvZGUSGwoXTk9USUNFX0NPREVfVU5TUEVDSUZJRUQQABIYChROT1RJQ0VfQ09ERV9EUkFJTklORxABEhwKGE5PVElDRV9DT0RFX1dPUkxEX0NMT1NFRBACEhcKE05PVElDRV9DT0RFX1JFRlVTRUQQAxIaChZOT1RJQ0VfQ09ERV9SQVRFX0xJTUlUEAQSHwobTk9USUNFX0NPREVfV09STERfUkVTVEFSVEVEEAUyTQoLUGxheVNlcnZpY2USPgoEUGxheRIYLmpvc3RsZS52MS5DbGllbnRNZXNzYWdlGhguam9zdGxlLnYxLlNlcnZlck1lc3NhZ2UoATABYgZwcm90bzM", [file_jostle_v1_common, file_jostle_v1_scene]);
+  fileDesc("ChRqb3N0bGUvdjEvcGxheS5wcm90bxIJam9zdGxlLnYxIvEBCg1DbGllbnRNZXNzYWdlEiEKBWhlbGxvGAEgASgLMhAuam9zdGxlLnYxLkhlbGxvSAASJgoFaW5wdXQYAiABKAsyFS5qb3N0bGUudjEuSW5wdXRCYXRjaEgAEh0KA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2tIABIfCgRwaW5nGAQgASgLMg8uam9zdGxlLnYxLlBpbmdIABIhCgVsZWF2ZRgFIAEoCzIQLmpvc3RsZS52MS5MZWF2ZUgAEicKCGludGVyZXN0GAYgASgLMhMuam9zdGxlLnYxLkludGVyZXN0SABCCQoHbWVzc2FnZSLoAwoFSGVsbG8SEAoIcHJvdG9jb2wYASABKA0SDQoFd29ybGQYAiABKAkSDgoGdGlja2V0GAMgASgJEgwKBG5hbWUYBCABKAkSEwoLc25hcHNob3RfaHoYBSABKA0SEQoJc3BlY3RhdG9yGAYgASgIEg4KBmV2ZW50cxgHIAEoCBINCgV0b2tlbhgIIAEoCRIQCghjaGFubmVscxgJIAMoCRINCgVjb2RlYxgKIAEoDRIQCghtYXhfa2JwcxgLIAEoDRIlCghpbnRlcmVzdBgOIAEoCzITLmpvc3RsZS52MS5JbnRlcmVzdBInCglwcmVjaXNpb24YDyABKAsyFC5qb3N0bGUudjEuUHJlY2lzaW9uEhcKD3BhY2tlZF9lbnRpdGllcxgQIAEoCBIRCglkYXRhZ3JhbXMYFCABKAgSEQoJcmVzdW1hYmxlGDwgASgIEiEKBnJlc3VtZRg9IAEoCzIRLmpvc3RsZS52MS5SZXN1bWUSDgoGam9pbnRzGFAgASgIEg8KB3BsYXllcnMYRiABKAgSEgoKYXR0cmlidXRlcxhHIAEoCBIOCgZ0b3BpY3MYSCADKAkSEgoFY29sb3IYSSABKAdIAIgBARIRCglqb2luX2NvZGUYSyABKAlCCAoGX2NvbG9yIjcKBlJlc3VtZRINCgV0b2tlbhgBIAEoDBINCgVmcmFtZRgCIAEoDRIPCgdtZXNzYWdlGAMgASgNIjoKCEludGVyZXN0Eh4KBWZvY3VzGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGcmFkaXVzGAIgASgBInsKCklucHV0QmF0Y2gSFgoOZmlyc3Rfc2VxdWVuY2UYASABKA0SIAoGaW5wdXRzGAIgAygLMhAuam9zdGxlLnYxLklucHV0EhsKA2FjaxgDIAEoCzIOLmpvc3RsZS52MS5BY2sSFgoOY2xpZW50X3RpbWVfdXMYBCABKAci+QQKBUlucHV0EiYKBXNwYXduGAEgASgLMhUuam9zdGxlLnYxLlNwYXduSW5wdXRIABIqCgdpbXB1bHNlGAIgASgLMhcuam9zdGxlLnYxLkltcHVsc2VJbnB1dEgAEiQKBGdyYWIYAyABKAsyFC5qb3N0bGUudjEuR3JhYklucHV0SAASJAoEZHJhZxgEIAEoCzIULmpvc3RsZS52MS5EcmFnSW5wdXRIABIqCgdyZWxlYXNlGAUgASgLMhcuam9zdGxlLnYxLlJlbGVhc2VJbnB1dEgAEigKBmRlbGV0ZRgGIAEoCzIWLmpvc3RsZS52MS5EZWxldGVJbnB1dEgAEioKB2V4cGxvZGUYByABKAsyFy5qb3N0bGUudjEuRXhwbG9kZUlucHV0SAASKgoHcG9zc2VzcxgIIAEoCzIXLmpvc3RsZS52MS5Qb3NzZXNzSW5wdXRIABIqCgdjb250cm9sGAkgASgLMhcuam9zdGxlLnYxLkNvbnRyb2xJbnB1dEgAEiIKA2N1dBgKIAEoCzITLmpvc3RsZS52MS5DdXRJbnB1dEgAEjcKDnNldF9hdHRyaWJ1dGVzGAsgASgLMh0uam9zdGxlLnYxLlNldEF0dHJpYnV0ZXNJbnB1dEgAEjMKDHNlbmRfbWVzc2FnZRgMIAEoCzIbLmpvc3RsZS52MS5TZW5kTWVzc2FnZUlucHV0SAASKAoGcmVuYW1lGBAgASgLMhYuam9zdGxlLnYxLlJlbmFtZUlucHV0SAASJAoEcm9vbRgNIAEoCzIULmpvc3RsZS52MS5Sb29tSW5wdXRIABIMCgR0aWNrGA8gASgNQgYKBGtpbmQi5gEKClNwYXduSW5wdXQSHwoFc2hhcGUYASABKAsyEC5qb3N0bGUudjEuU2hhcGUSIQoIcG9zaXRpb24YAiABKAsyDy5qb3N0bGUudjEuVmVjMxIhCghyb3RhdGlvbhgDIAEoCzIPLmpvc3RsZS52MS5RdWF0EigKD2xpbmVhcl92ZWxvY2l0eRgEIAEoCzIPLmpvc3RsZS52MS5WZWMzEikKEGFuZ3VsYXJfdmVsb2NpdHkYBSABKAsyDy5qb3N0bGUudjEuVmVjMxISCgVjb2xvchgGIAEoB0gAiAEBQggKBl9jb2xvciJ/CgNBaW0SHwoGb3JpZ2luGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSHwoGbW90aW9uGAIgASgLMg8uam9zdGxlLnYxLlZlYzMSDgoGaWdub3JlGAMgASgNEiYKCXZpZXdfdGltZRgEIAEoCzITLmpvc3RsZS52MS5WaWV3VGltZSKNAQoMSW1wdWxzZUlucHV0Eg4KBmVudGl0eRgBIAEoDRIgCgdpbXB1bHNlGAIgASgLMg8uam9zdGxlLnYxLlZlYzMSHgoFcG9pbnQYAyABKAsyDy5qb3N0bGUudjEuVmVjMxIbCgNhaW0YBCABKAsyDi5qb3N0bGUudjEuQWltEg4KBm9iamVjdBgFIAEoDSJoCglHcmFiSW5wdXQSDgoGZW50aXR5GAEgASgNEh4KBXBvaW50GAIgASgLMg8uam9zdGxlLnYxLlZlYzMSGwoDYWltGAMgASgLMg4uam9zdGxlLnYxLkFpbRIOCgZvYmplY3QYBCABKA0iLAoJRHJhZ0lucHV0Eh8KBnRhcmdldBgBIAEoCzIPLmpvc3RsZS52MS5WZWMzIg4KDFJlbGVhc2VJbnB1dCIdCgtEZWxldGVJbnB1dBIOCgZlbnRpdHkYASABKA0iawoMRXhwbG9kZUlucHV0Eh8KBmNlbnRlchgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEg4KBnJhZGl1cxgCIAEoARINCgVzcGVlZBgDIAEoARIbCgNhaW0YBCABKAsyDi5qb3N0bGUudjEuQWltIlcKCEN1dElucHV0Eg4KBm9iamVjdBgBIAEoDRIeCgVwb2ludBgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEhsKA2FpbRgDIAEoCzIOLmpvc3RsZS52MS5BaW0iHgoMUG9zc2Vzc0lucHV0Eg4KBmVudGl0eRgBIAEoDSItCgxDb250cm9sSW5wdXQSDAoEYXhlcxgBIAMoERIPCgdidXR0b25zGAIgASgNIjoKElNldEF0dHJpYnV0ZXNJbnB1dBIkCgNzZXQYASABKAsyFy5qb3N0bGUudjEuQXR0cmlidXRlU2V0Ik4KEFNlbmRNZXNzYWdlSW5wdXQSDQoFdG9waWMYASABKAkSDAoEZGF0YRgCIAEoDBIKCgJ0bxgDIAMoDRIRCgl0b19zZXJ2ZXIYBCABKAgiGwoLUmVuYW1lSW5wdXQSDAoEbmFtZRgBIAEoCSKNBAoJUm9vbUlucHV0EisKCHNldF9yb2xlGAEgASgLMhcuam9zdGxlLnYxLlNldFJvbGVJbnB1dEgAEiQKBGtpY2sYAiABKAsyFC5qb3N0bGUudjEuS2lja0lucHV0SAASIgoDYmFuGAMgASgLMhMuam9zdGxlLnYxLkJhbklucHV0SAASJgoFdW5iYW4YBCABKAsyFS5qb3N0bGUudjEuVW5iYW5JbnB1dEgAEiQKBG11dGUYBSABKAsyFC5qb3N0bGUudjEuTXV0ZUlucHV0SAASKwoIY2xlYW5fdXAYBiABKAsyFy5qb3N0bGUudjEuQ2xlYW5VcElucHV0SAASKgoHcHJvdGVjdBgHIAEoCzIXLmpvc3RsZS52MS5Qcm90ZWN0SW5wdXRIABIuCgl1bnByb3RlY3QYCCABKAsyGS5qb3N0bGUudjEuVW5wcm90ZWN0SW5wdXRIABItCgl2b3RlX2tpY2sYCSABKAsyGC5qb3N0bGUudjEuVm90ZUtpY2tJbnB1dEgAEiYKBXBhdXNlGAogASgLMhUuam9zdGxlLnYxLlBhdXNlSW5wdXRIABImCgVyZXNldBgLIAEoCzIVLmpvc3RsZS52MS5SZXNldElucHV0SAASKwoIc2V0dGluZ3MYDCABKAsyFy5qb3N0bGUudjEuUm9vbVNldHRpbmdzSABCBgoEa2luZCJDCgxTZXRSb2xlSW5wdXQSDgoGY2xpZW50GAEgASgNEiMKBHJvbGUYAiABKA4yFS5qb3N0bGUudjEuUGxheWVyUm9sZSIrCglLaWNrSW5wdXQSDgoGY2xpZW50GAEgASgNEg4KBnJlYXNvbhgCIAEoCSI7CghCYW5JbnB1dBIOCgZjbGllbnQYASABKA0SDwoHc2Vjb25kcxgCIAEoARIOCgZyZWFzb24YAyABKAkiHAoKVW5iYW5JbnB1dBIOCgZtZW1iZXIYASABKAkiLAoJTXV0ZUlucHV0Eg4KBmNsaWVudBgBIAEoDRIPCgdzZWNvbmRzGAIgASgBIh4KDENsZWFuVXBJbnB1dBIOCgZjbGllbnQYASABKA0iNgoMUHJvdGVjdElucHV0EiYKBGFyZWEYASABKAsyGC5qb3N0bGUudjEuUHJvdGVjdGVkQXJlYSIeCg5VbnByb3RlY3RJbnB1dBIMCgRuYW1lGAEgASgJIh8KDVZvdGVLaWNrSW5wdXQSDgoGY2xpZW50GAEgASgNIhwKClBhdXNlSW5wdXQSDgoGcGF1c2VkGAEgASgIIgwKClJlc2V0SW5wdXQiUwoDQWNrEg0KBWZyYW1lGAEgASgNEhUKDW5lZWRfa2V5ZnJhbWUYAiABKAgSFAoMYWNrX2RlbGF5X21zGAMgASgNEhAKCGFja19iaXRzGAggASgHIh4KBFBpbmcSFgoOY2xpZW50X3RpbWVfdXMYASABKAYiBwoFTGVhdmUiwAIKDVNlcnZlck1lc3NhZ2USJQoHd2VsY29tZRgBIAEoCzISLmpvc3RsZS52MS5XZWxjb21lSAASMAoNZW50aXR5X3VwZGF0ZRgCIAEoCzIXLmpvc3RsZS52MS5FbnRpdHlVcGRhdGVIABInCghzbmFwc2hvdBgDIAEoCzITLmpvc3RsZS52MS5TbmFwc2hvdEgAEh8KBHBvbmcYBSABKAsyDy5qb3N0bGUudjEuUG9uZ0gAEiMKBm5vdGljZRgHIAEoCzIRLmpvc3RsZS52MS5Ob3RpY2VIABIsCghnZW9tZXRyeRgJIAEoCzIYLmpvc3RsZS52MS5HZW9tZXRyeUNodW5rSABCCQoHbWVzc2FnZUoECAQQBUoECAYQB0oECAgQCVINaW5wdXRfcmVzdWx0c1IFc3RhdHNSBmV2ZW50cyJaCgpDZWxsVXBkYXRlEgwKBGNlbGwYASABKA0SDgoGbnVtYmVyGAIgASgNEhEKCWJhc2VsaW5lcxgDIAEoDRIOCgZwYWNrZWQYBCABKAwSCwoDY3JjGAUgASgHIu4ECgdXZWxjb21lEhEKCWNsaWVudF9pZBgBIAEoDRIQCgh3b3JsZF9pZBgCIAEoCRISCgp3b3JsZF9uYW1lGAMgASgJEgwKBHRpY2sYBCABKA0SDwoHdGlja19oehgFIAEoARITCgtzbmFwc2hvdF9oehgGIAEoDRIjCgVxdWFudBgIIAEoCzIULmpvc3RsZS52MS5RdWFudFNwZWMSFgoOc2VydmVyX3RpbWVfdXMYCSABKAYSIAoHZ3Jhdml0eRgKIAEoCzIPLmpvc3RsZS52MS5WZWMzEigKCGNoYW5uZWxzGAsgAygLMhYuam9zdGxlLnYxLkNoYW5uZWxLaW5kEg0KBWNvZGVjGAwgASgNEhcKD2Fja19pbnRlcnZhbF9tcxgNIAEoDRIQCghlcG9jaF91cxgOIAEoBhINCgVjZWxscxgPIAEoCBInCglwcmVjaXNpb24YEiABKAsyFC5qb3N0bGUudjEuUHJlY2lzaW9uEhAKCHN1YnN0ZXBzGBAgASgNEjEKCWRhdGFncmFtcxgUIAEoCzIeLmpvc3RsZS52MS5EYXRhZ3JhbUNyZWRlbnRpYWxzEhQKDHJlc3VtZV90b2tlbhg8IAEoDBIPCgdyZXN1bWVkGD0gASgIEhcKD3N0YXRlX3ByZXNlcnZlZBg+IAEoCBIVCg1sYXN0X3NlcXVlbmNlGD8gASgNEh4KFnJlc3VtZV90aW1lb3V0X3NlY29uZHMYQCABKAESDgoGcGxhbmFyGFAgASgIEh0KBHZpZXcYUSABKAsyDy5qb3N0bGUudjEuVmlld0oECAcQCFIKYWNrX3dpbmRvdyI8ChNEYXRhZ3JhbUNyZWRlbnRpYWxzEgwKBHBvcnQYASABKA0SCgoCaWQYAiABKAYSCwoDa2V5GAMgASgMIlIKC0NoYW5uZWxLaW5kEgwKBG5hbWUYASABKAkSJAoEZm9ybRgCIAEoDjIWLmpvc3RsZS52MS5DaGFubmVsRm9ybRIPCgdkaXZpc29yGAMgASgNIrMCCgtQb2ludE9iamVjdBIKCgJpZBgBIAEoDRIMCgRraW5kGAIgASgNEgsKA2tleRgDIAEoDRIOCgZlbnRpdHkYBCABKA0SIgoEZm9ybRgFIAEoDjIULmpvc3RsZS52MS5Qb2ludEZvcm0SDwoHc3RlcF91bRgGIAEoDRIOCgZwb2ludHMYByABKA0SDwoHY29sdW1ucxgIIAEoDRIPCgdzdHJhbmRzGAkgAygNEhEKCXRyaWFuZ2xlcxgKIAMoERIOCgZyYWRpdXMYCyABKAISEgoFY29sb3IYDCABKAdIAIgBARIfCgZvcmlnaW4YDSABKAsyDy5qb3N0bGUudjEuVmVjMxIRCglzcGFjaW5nX3gYDiABKAISEQoJc3BhY2luZ196GA8gASgCQggKBl9jb2xvciJmCgtQb2ludFVwZGF0ZRIOCgZvYmplY3QYASABKA0SDgoGbnVtYmVyGAIgASgNEgwKBGJhY2sYAyABKA0SDAoEdGljaxgEIAEoDRIOCgZwYWNrZWQYBSABKAwSCwoDY3JjGAYgASgHIkAKCVF1YW50U3BlYxIXCg91bml0c19wZXJfbWV0ZXIYASABKA0SGgoScm90YXRpb25fY29tcG9uZW50GAIgASgNIk0KDUdlb21ldHJ5Q2h1bmsSCgoCaWQYASABKAYSDQoFY2h1bmsYAiABKA0SEwoLY2h1bmtfY291bnQYAyABKA0SDAoEZGF0YRgEIAEoDCJ4CgxFbnRpdHlVcGRhdGUSIAoFYWRkZWQYASADKAsyES5qb3N0bGUudjEuRW50aXR5Eg8KB3JlbW92ZWQYAiADKA0SDgoGcGFja2VkGAMgASgMEiUKCnByb3RvdHlwZXMYBCADKAsyES5qb3N0bGUudjEuRW50aXR5IskCCgZFbnRpdHkSCgoCaWQYASABKA0SIQoEdHlwZRgCIAEoDjITLmpvc3RsZS52MS5Cb2R5VHlwZRIgCgZzaGFwZXMYAyADKAsyEC5qb3N0bGUudjEuU2hhcGUSDQoFb3duZXIYBCABKA0SEgoFY29sb3IYBSABKAdIAIgBARIMCgRuYW1lGAYgASgJEgwKBG1hc3MYByABKAESFAoMY29udHJvbGxhYmxlGAggASgIEhYKDmxpbmVhcl9kYW1waW5nGAkgASgBEhcKD2FuZ3VsYXJfZGFtcGluZxgKIAEoARIaCg1ncmF2aXR5X3NjYWxlGAsgASgBSAGIAQESHwoFbG9ja3MYDCABKAsyEC5qb3N0bGUudjEuTG9ja3MSDwoHam9pbnRlZBgNIAEoCEIICgZfY29sb3JCEAoOX2dyYXZpdHlfc2NhbGUiSQoJSm9pbnRJbmZvEgoKAmlkGAEgASgNEhAKCGVudGl0eV9hGAIgASgNEhAKCGVudGl0eV9iGAMgASgNEgwKBGZvcm0YBCABKA0idgoLSm9pbnRVcGRhdGUSEAoIY29tcGxldGUYASABKAgSDwoHcmVtb3ZlZBgCIAMoDRIjCgVhZGRlZBgDIAMoCzIULmpvc3RsZS52MS5Kb2ludEluZm8SHwoFZm9ybXMYBCADKAsyEC5qb3N0bGUudjEuSm9pbnQijgYKCFNuYXBzaG90Eg0KBWZyYW1lGAEgASgNEhEKCWJhc2VsaW5lcxgCIAEoDRIOCgZwYWNrZWQYBSABKAwSCwoDY3JjGAYgASgHEg8KB2xhdGVfdXMYByABKBISEAoIY2hhbm5lbHMYCSABKAwSFAoMY2hhbm5lbHNfY3JjGAogASgHEhcKD3VuY2hhbmdlZF90aWNrcxgLIAEoDRIkCgVzdGF0cxgMIAEoCzIVLmpvc3RsZS52MS5Xb3JsZFN0YXRzEiEKBmV2ZW50cxgNIAMoCzIRLmpvc3RsZS52MS5FdmVudHMSLgoNY2xpZW50X3VwZGF0ZRgPIAEoCzIXLmpvc3RsZS52MS5DbGllbnRVcGRhdGUSJAoFY2VsbHMYECADKAsyFS5qb3N0bGUudjEuQ2VsbFVwZGF0ZRISCgpjZWxsc19sZWZ0GBEgAygNEjsKEWNvbnRyb2xsZWRfZW50aXR5GBIgASgLMiAuam9zdGxlLnYxLkNvbnRyb2xsZWRFbnRpdHlTdGF0ZRItCg1wb2ludF9vYmplY3RzGBMgAygLMhYuam9zdGxlLnYxLlBvaW50T2JqZWN0EiYKBnBvaW50cxgUIAMoCzIWLmpvc3RsZS52MS5Qb2ludFVwZGF0ZRIUCgxwb2ludHNfZW5kZWQYFSADKA0SJgoGam9pbnRzGCQgASgLMhYuam9zdGxlLnYxLkpvaW50VXBkYXRlEigKB3BsYXllcnMYHiADKAsyFy5qb3N0bGUudjEuUGxheWVyVXBkYXRlEi4KCmF0dHJpYnV0ZXMYHyADKAsyGi5qb3N0bGUudjEuQXR0cmlidXRlVXBkYXRlEigKCG1lc3NhZ2VzGCAgAygLMhYuam9zdGxlLnYxLlVzZXJNZXNzYWdlEhcKD21lc3NhZ2VzX21pc3NlZBghIAEoDUoECAMQBEoECAQQBUoECAgQCVIKYmFzZV9mcmFtZVILYmFzZTJfZnJhbWVSC2Jhc2UzX2ZyYW1lUg5zZXJ2ZXJfdGltZV91c1IHbW9kdWxlcyKlAQoGUGxheWVyEg4KBmNsaWVudBgBIAEoDRIMCgRuYW1lGAIgASgJEiMKBHJvbGUYAyABKA4yFS5qb3N0bGUudjEuUGxheWVyUm9sZRISCgVjb2xvchgEIAEoB0gAiAEBEhQKDGRpc2Nvbm5lY3RlZBgFIAEoCBITCgtqb2luZWRfdGljaxgGIAEoDRIPCgdwaW5nX21zGAcgASgNQggKBl9jb2xvciJoCgtQbGF5ZXJFdmVudBIMCgR0aWNrGAEgASgNEigKBGtpbmQYAiABKA4yGi5qb3N0bGUudjEuUGxheWVyRXZlbnRLaW5kEiEKBnBsYXllchgDIAEoCzIRLmpvc3RsZS52MS5QbGF5ZXIikgEKDFBsYXllclVwZGF0ZRIQCghjb21wbGV0ZRgBIAEoCBIiCgdwbGF5ZXJzGAIgAygLMhEuam9zdGxlLnYxLlBsYXllchImCgZldmVudHMYAyADKAsyFi5qb3N0bGUudjEuUGxheWVyRXZlbnQSJAoFcGluZ3MYBCADKAsyFS5qb3N0bGUudjEuUGxheWVyUGluZyItCgpQbGF5ZXJQaW5nEg4KBmNsaWVudBgBIAEoDRIPCgdwaW5nX21zGAIgASgNIuIBCglBdHRyaWJ1dGUSCwoDa2V5GAEgASgJEhEKB2Jvb2xlYW4YAiABKAhIABIRCgdpbnRlZ2VyGAMgASgSSAASEAoGbnVtYmVyGAQgASgBSAASDgoEdGV4dBgFIAEoCUgAEiEKBnZlY3RvchgGIAEoCzIPLmpvc3RsZS52MS5WZWMzSAASMgoKdmlzaWJpbGl0eRgHIAEoDjIeLmpvc3RsZS52MS5BdHRyaWJ1dGVWaXNpYmlsaXR5Eg0KBXJvbGVzGAggASgNEhEKCXJlYWRfb25seRgJIAEoCEIHCgV2YWx1ZSJ3CgxBdHRyaWJ1dGVTZXQSEAoGZW50aXR5GAEgASgNSAASEAoGcGxheWVyGAIgASgNSAASDwoFd29ybGQYAyABKAhIABIoCgphdHRyaWJ1dGVzGAQgAygLMhQuam9zdGxlLnYxLkF0dHJpYnV0ZUIICgZ0YXJnZXQihwEKD0F0dHJpYnV0ZVVwZGF0ZRIMCgR0aWNrGAEgASgNEhAKCGNvbXBsZXRlGAIgASgIEiUKBHNldHMYAyADKAsyFy5qb3N0bGUudjEuQXR0cmlidXRlU2V0EhYKDmVudGl0aWVzX2VuZGVkGAQgAygNEhUKDXBsYXllcnNfZW5kZWQYBSADKA0iZgoLVXNlck1lc3NhZ2USDgoGbnVtYmVyGAEgASgNEgwKBHRpY2sYAiABKA0SDAoEZnJvbRgDIAEoDRINCgV0b3BpYxgEIAEoCRIMCgRkYXRhGAUgASgMEg4KBmRpcmVjdBgGIAEoCCK4AQoMQ2xpZW50VXBkYXRlEhYKDmlucHV0X3NlcXVlbmNlGAEgASgNEhsKE2VjaG9fY2xpZW50X3RpbWVfdXMYAiABKAcSGQoRc25hcHNob3RzX3NraXBwZWQYAyABKA0SJwoHcmVzdWx0cxgEIAMoCzIWLmpvc3RsZS52MS5JbnB1dFJlc3VsdBIXCg9pbnB1dF9tYXJnaW5fdXMYByABKBESFgoOaW5wdXRfcmVjZWl2ZWQYDCABKA0ijAEKFUNvbnRyb2xsZWRFbnRpdHlTdGF0ZRIOCgZlbnRpdHkYASABKA0SDgoGbW9kdWxlGAIgASgJEgwKBHRpY2sYAyABKA0SDQoFd29yZHMYBCABKA0SEAoIa2V5ZnJhbWUYBSABKAgSFAoMY2hhbmdlZF9tYXNrGAYgASgMEg4KBnZhbHVlcxgHIAEoDCKlAQoLSW5wdXRSZXN1bHQSEAoIc2VxdWVuY2UYASABKA0SIgoEY29kZRgCIAEoDjIULmpvc3RsZS52MS5JbnB1dENvZGUSDAoEdGljaxgDIAEoDRIOCgZlbnRpdHkYBCABKA0SDwoHbWVzc2FnZRgFIAEoCRIZChF2aWV3X3RpbWVfY2xhbXBlZBgGIAEoCBIWCg5yZXRyeV9hZnRlcl9tcxgHIAEoDSI2CgRQb25nEhYKDmNsaWVudF90aW1lX3VzGAEgASgGEhYKDnNlcnZlcl90aW1lX3VzGAIgASgGIr8BCgpXb3JsZFN0YXRzEgwKBHRpY2sYASABKA0SDgoGYm9kaWVzGAIgASgNEg0KBWF3YWtlGAMgASgNEhAKCGNvbnRhY3RzGAQgASgNEg8KB2NsaWVudHMYBSABKA0SFAoMc3RlcF9tc19tZWFuGAYgASgBEhMKC3N0ZXBfbXNfbWF4GAcgASgBEhIKCmxhdGVfdGlja3MYCCABKA0SDgoGcGF1c2VkGAkgASgJEhIKCnRpbWVfc2NhbGUYCiABKAEiPgoGTm90aWNlEiMKBGNvZGUYASABKA4yFS5qb3N0bGUudjEuTm90aWNlQ29kZRIPCgdtZXNzYWdlGAIgASgJIsQDCgZFdmVudHMSDAoEdGljaxgBIAEoDRIvCg5jb250YWN0c19iZWdhbhgCIAMoCzIXLmpvc3RsZS52MS5Db250YWN0RXZlbnQSLwoOY29udGFjdHNfZW5kZWQYAyADKAsyFy5qb3N0bGUudjEuQ29udGFjdEV2ZW50EikKCGNvbnRhY3RzGAQgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIlCgRoaXRzGAUgAygLMhcuam9zdGxlLnYxLkNvbnRhY3RFdmVudBIxChB0cmlnZ2Vyc19lbnRlcmVkGAYgAygLMhcuam9zdGxlLnYxLlRyaWdnZXJFdmVudBIwCg90cmlnZ2Vyc19zdGF5ZWQYByADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50Ei4KDXRyaWdnZXJzX2xlZnQYCCADKAsyFy5qb3N0bGUudjEuVHJpZ2dlckV2ZW50EjAKDGpvaW50c19icm9rZRgJIAMoCzIaLmpvc3RsZS52MS5Kb2ludEJyZWFrRXZlbnQSEwoLZmVsbF9hc2xlZXAYCiADKA0SDAoEd29rZRgLIAMoDRIOCgZtaXNzZWQYDCABKA0ikwEKDENvbnRhY3RFdmVudBIQCghlbnRpdHlfYRgBIAEoDRIQCghlbnRpdHlfYhgCIAEoDRIeCgVwb2ludBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzEh8KBm5vcm1hbBgEIAEoCzIPLmpvc3RsZS52MS5WZWMzEg0KBXNwZWVkGAUgASgBEg8KB2ltcHVsc2UYBiABKAEiLwoMVHJpZ2dlckV2ZW50Eg8KB3RyaWdnZXIYASABKA0SDgoGZW50aXR5GAIgASgNIlQKD0pvaW50QnJlYWtFdmVudBIQCghlbnRpdHlfYRgBIAEoDRIQCghlbnRpdHlfYhgCIAEoDRINCgVmb3JjZRgDIAEoARIOCgZ0b3JxdWUYBCABKAEqjAEKClBsYXllclJvbGUSGwoXUExBWUVSX1JPTEVfVU5TUEVDSUZJRUQQABIZChVQTEFZRVJfUk9MRV9TUEVDVEFUT1IQARIWChJQTEFZRVJfUk9MRV9QTEFZRVIQAhIXChNQTEFZRVJfUk9MRV9CVUlMREVSEAMSFQoRUExBWUVSX1JPTEVfT1dORVIQBCqOAQoLQ2hhbm5lbEZvcm0SHAoYQ0hBTk5FTF9GT1JNX1VOU1BFQ0lGSUVEEAASFwoTQ0hBTk5FTF9GT1JNX1BBUkFNUxABEhcKE0NIQU5ORUxfRk9STV9QT0lOVFMQAhIVChFDSEFOTkVMX0ZPUk1fU0VFRBAEIgQIAxADKhJDSEFOTkVMX0ZPUk1fRklFTEQqnAEKCVBvaW50Rm9ybRIaChZQT0lOVF9GT1JNX1VOU1BFQ0lGSUVEEAASFAoQUE9JTlRfRk9STV9MT09TRRABEhYKElBPSU5UX0ZPUk1fU1RSQU5EUxACEhMKD1BPSU5UX0ZPUk1fR1JJRBADEhgKFFBPSU5UX0ZPUk1fVFJJQU5HTEVTEAQSFgoSUE9JTlRfRk9STV9IRUlHSFRTEAUq9AEKD1BsYXllckV2ZW50S2luZBIhCh1QTEFZRVJfRVZFTlRfS0lORF9VTlNQRUNJRklFRBAAEhwKGFBMQVlFUl9FVkVOVF9LSU5EX0pPSU5FRBABEhoKFlBMQVlFUl9FVkVOVF9LSU5EX0xFRlQQAhIdChlQTEFZRVJfRVZFTlRfS0lORF9SRU5BTUVEEAMSIgoeUExBWUVSX0VWRU5UX0tJTkRfUk9MRV9DSEFOR0VEEAQSIgoeUExBWUVSX0VWRU5UX0tJTkRfRElTQ09OTkVDVEVEEAUSHQoZUExBWUVSX0VWRU5UX0tJTkRfUkVTVU1FRBAGKp4BChNBdHRyaWJ1dGVWaXNpYmlsaXR5EiQKIEFUVFJJQlVURV9WSVNJQklMSVRZX1VOU1BFQ0lGSUVEEAASIQodQVRUUklCVVRFX1ZJU0lCSUxJVFlfRVZFUllPTkUQARIeChpBVFRSSUJVVEVfVklTSUJJTElUWV9PV05FUhACEh4KGkFUVFJJQlVURV9WSVNJQklMSVRZX1JPTEVTEAMqvwEKCUlucHV0Q29kZRIaChZJTlBVVF9DT0RFX1VOU1BFQ0lGSUVEEAASFgoSSU5QVVRfQ09ERV9BUFBMSUVEEAESFgoSSU5QVVRfQ09ERV9JTlZBTElEEAISGAoUSU5QVVRfQ09ERV9OT1RfRk9VTkQQAxIaChZJTlBVVF9DT0RFX05PVF9BTExPV0VEEAQSFAoQSU5QVVRfQ09ERV9MSU1JVBAFEhoKFklOUFVUX0NPREVfVU5BVkFJTEFCTEUQBiq3AQoKTm90aWNlQ29kZRIbChdOT1RJQ0VfQ09ERV9VTlNQRUNJRklFRBAAEhgKFE5PVElDRV9DT0RFX0RSQUlOSU5HEAESHAoYTk9USUNFX0NPREVfV09STERfQ0xPU0VEEAISFwoTTk9USUNFX0NPREVfUkVGVVNFRBADEhoKFk5PVElDRV9DT0RFX1JBVEVfTElNSVQQBBIfChtOT1RJQ0VfQ09ERV9XT1JMRF9SRVNUQVJURUQQBTJNCgtQbGF5U2VydmljZRI+CgRQbGF5Ehguam9zdGxlLnYxLkNsaWVudE1lc3NhZ2UaGC5qb3N0bGUudjEuU2VydmVyTWVzc2FnZSgBMAFiBnByb3RvMw", [file_jostle_v1_common, file_jostle_v1_room, file_jostle_v1_scene]);
 
 /**
  * A message from the client to the server.
@@ -123,7 +125,8 @@ export type Hello = Message<"jostle.v1.Hello"> & {
   snapshotHz: number;
 
   /**
-   * the client sends no inputs; the server rejects them with NOT_ALLOWED
+   * The client sends no inputs to the simulation; the server rejects them with NOT_ALLOWED. It may rename itself, send
+   * messages and set its own attributes.
    *
    * @generated from field: bool spectator = 6;
    */
@@ -215,6 +218,42 @@ export type Hello = Message<"jostle.v1.Hello"> & {
    * @generated from field: bool joints = 80;
    */
   joints: boolean;
+
+  /**
+   * subscribes to the player list and player events (Snapshot.players)
+   *
+   * @generated from field: bool players = 70;
+   */
+  players: boolean;
+
+  /**
+   * subscribes to attributes (Snapshot.attributes)
+   *
+   * @generated from field: bool attributes = 71;
+   */
+  attributes: boolean;
+
+  /**
+   * Topics of user messages to subscribe to (Snapshot.messages), at most 64; "*": all topics. A client also receives
+   * the messages of these topics that are addressed to it.
+   *
+   * @generated from field: repeated string topics = 72;
+   */
+  topics: string[];
+
+  /**
+   * 0xRRGGBB, of the player; absent: chosen by the viewer
+   *
+   * @generated from field: optional fixed32 color = 73;
+   */
+  color?: number | undefined;
+
+  /**
+   * of a private room, at most 64 bytes; a ticket replaces it
+   *
+   * @generated from field: string join_code = 75;
+   */
+  joinCode: string;
 };
 
 /**
@@ -244,6 +283,13 @@ export type Resume = Message<"jostle.v1.Resume"> & {
    * @generated from field: uint32 frame = 2;
    */
   frame: number;
+
+  /**
+   * UserMessage.number of the last received message; 0: none
+   *
+   * @generated from field: uint32 message = 3;
+   */
+  message: number;
 };
 
 /**
@@ -390,6 +436,30 @@ export type Input = Message<"jostle.v1.Input"> & {
      */
     value: CutInput;
     case: "cut";
+  } | {
+    /**
+     * @generated from field: jostle.v1.SetAttributesInput set_attributes = 11;
+     */
+    value: SetAttributesInput;
+    case: "setAttributes";
+  } | {
+    /**
+     * @generated from field: jostle.v1.SendMessageInput send_message = 12;
+     */
+    value: SendMessageInput;
+    case: "sendMessage";
+  } | {
+    /**
+     * @generated from field: jostle.v1.RenameInput rename = 16;
+     */
+    value: RenameInput;
+    case: "rename";
+  } | {
+    /**
+     * @generated from field: jostle.v1.RoomInput room = 13;
+     */
+    value: RoomInput;
+    case: "room";
   } | { case: undefined; value?: undefined };
 
   /**
@@ -493,10 +563,11 @@ export type Aim = Message<"jostle.v1.Aim"> & {
 
   /**
    * Lag compensation: the view time at which the client rendered the world. The server casts the ray against the
-   * poses of that time with the current shapes, and against the current ropes and cloths. Entities that spawned later
-   * or are gone cannot be hit. The input then acts on the hit entity at its current pose, at the same point of the
-   * body. A view time older than the stored frames (tick.lag_compensation_ms_max in the server's settings) is clamped
-   * to the oldest frame, and the result has `view_time_clamped`.
+   * poses of that time with the current shapes, and against the ropes and cloths of that time (the current ones if no
+   * client subscribes to their channels). Entities that spawned later or are gone cannot be hit. The input then acts on
+   * the hit entity at its current pose, at the same point of the body. A view time older than the stored frames
+   * (tick.lag_compensation_ms_max in the server's settings) is clamped to the oldest frame, and the result has
+   * `view_time_clamped`.
    *
    * absent: the world as it is when the input is applied
    *
@@ -783,6 +854,429 @@ export const ControlInputSchema: GenMessage<ControlInput> = /*@__PURE__*/
   messageDesc(file_jostle_v1_play, 16);
 
 /**
+ * Sets and removes attributes of one target. The server applies all of them or none. An owner sets every attribute, a
+ * builder those of every entity, a player those of itself and of the entities that it owns, and a spectator those of
+ * itself. Attributes that the server set are read-only for clients. Limits in the server's settings:
+ * client.attribute_changes_per_second, client.attribute_bytes_max, world.attributes_per_target_max,
+ * world.attribute_text_bytes_max and world.attribute_bytes_max.
+ *
+ * @generated from message jostle.v1.SetAttributesInput
+ */
+export type SetAttributesInput = Message<"jostle.v1.SetAttributesInput"> & {
+  /**
+   * 1 to 64 attributes with different keys
+   *
+   * @generated from field: jostle.v1.AttributeSet set = 1;
+   */
+  set?: AttributeSet | undefined;
+};
+
+/**
+ * Describes the message jostle.v1.SetAttributesInput.
+ * Use `create(SetAttributesInputSchema)` to create a new message.
+ */
+export const SetAttributesInputSchema: GenMessage<SetAttributesInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 17);
+
+/**
+ * Sends a user message. The server delivers the messages of a world to each recipient once and in one order. Limits in
+ * the server's settings: client.user_messages_per_second, client.user_message_bytes_max and
+ * world.user_message_bytes_per_second.
+ *
+ * @generated from message jostle.v1.SendMessageInput
+ */
+export type SendMessageInput = Message<"jostle.v1.SendMessageInput"> & {
+  /**
+   * as Attribute.key
+   *
+   * @generated from field: string topic = 1;
+   */
+  topic: string;
+
+  /**
+   * at most client.user_message_bytes_max (default 1024); the topic defines its meaning
+   *
+   * @generated from field: bytes data = 2;
+   */
+  data: Uint8Array;
+
+  /**
+   * clients, at most 16; empty: all clients of the world, including the sender
+   *
+   * @generated from field: repeated uint32 to = 3;
+   */
+  to: number[];
+
+  /**
+   * only to the server; `to` must be empty
+   *
+   * @generated from field: bool to_server = 4;
+   */
+  toServer: boolean;
+};
+
+/**
+ * Describes the message jostle.v1.SendMessageInput.
+ * Use `create(SendMessageInputSchema)` to create a new message.
+ */
+export const SendMessageInputSchema: GenMessage<SendMessageInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 18);
+
+/**
+ * Changes the display name of the player.
+ *
+ * @generated from message jostle.v1.RenameInput
+ */
+export type RenameInput = Message<"jostle.v1.RenameInput"> & {
+  /**
+   * UTF-8, 1 to 32 bytes without control characters
+   *
+   * @generated from field: string name = 1;
+   */
+  name: string;
+};
+
+/**
+ * Describes the message jostle.v1.RenameInput.
+ * Use `create(RenameInputSchema)` to create a new message.
+ */
+export const RenameInputSchema: GenMessage<RenameInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 19);
+
+/**
+ * A command about the room (room.proto). The permissions of the room decide who may send it. A command about a client
+ * requires a higher role than that of the client.
+ *
+ * @generated from message jostle.v1.RoomInput
+ */
+export type RoomInput = Message<"jostle.v1.RoomInput"> & {
+  /**
+   * @generated from oneof jostle.v1.RoomInput.kind
+   */
+  kind: {
+    /**
+     * @generated from field: jostle.v1.SetRoleInput set_role = 1;
+     */
+    value: SetRoleInput;
+    case: "setRole";
+  } | {
+    /**
+     * @generated from field: jostle.v1.KickInput kick = 2;
+     */
+    value: KickInput;
+    case: "kick";
+  } | {
+    /**
+     * @generated from field: jostle.v1.BanInput ban = 3;
+     */
+    value: BanInput;
+    case: "ban";
+  } | {
+    /**
+     * @generated from field: jostle.v1.UnbanInput unban = 4;
+     */
+    value: UnbanInput;
+    case: "unban";
+  } | {
+    /**
+     * @generated from field: jostle.v1.MuteInput mute = 5;
+     */
+    value: MuteInput;
+    case: "mute";
+  } | {
+    /**
+     * @generated from field: jostle.v1.CleanUpInput clean_up = 6;
+     */
+    value: CleanUpInput;
+    case: "cleanUp";
+  } | {
+    /**
+     * @generated from field: jostle.v1.ProtectInput protect = 7;
+     */
+    value: ProtectInput;
+    case: "protect";
+  } | {
+    /**
+     * @generated from field: jostle.v1.UnprotectInput unprotect = 8;
+     */
+    value: UnprotectInput;
+    case: "unprotect";
+  } | {
+    /**
+     * @generated from field: jostle.v1.VoteKickInput vote_kick = 9;
+     */
+    value: VoteKickInput;
+    case: "voteKick";
+  } | {
+    /**
+     * @generated from field: jostle.v1.PauseInput pause = 10;
+     */
+    value: PauseInput;
+    case: "pause";
+  } | {
+    /**
+     * @generated from field: jostle.v1.ResetInput reset = 11;
+     */
+    value: ResetInput;
+    case: "reset";
+  } | {
+    /**
+     * replaces all settings of the room, also the join code and the areas
+     *
+     * @generated from field: jostle.v1.RoomSettings settings = 12;
+     */
+    value: RoomSettings;
+    case: "settings";
+  } | { case: undefined; value?: undefined };
+};
+
+/**
+ * Describes the message jostle.v1.RoomInput.
+ * Use `create(RoomInputSchema)` to create a new message.
+ */
+export const RoomInputSchema: GenMessage<RoomInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 20);
+
+/**
+ * Changes the role of a client. The role owner transfers the ownership of the room: the sender becomes a builder.
+ *
+ * @generated from message jostle.v1.SetRoleInput
+ */
+export type SetRoleInput = Message<"jostle.v1.SetRoleInput"> & {
+  /**
+   * @generated from field: uint32 client = 1;
+   */
+  client: number;
+
+  /**
+   * @generated from field: jostle.v1.PlayerRole role = 2;
+   */
+  role: PlayerRole;
+};
+
+/**
+ * Describes the message jostle.v1.SetRoleInput.
+ * Use `create(SetRoleInputSchema)` to create a new message.
+ */
+export const SetRoleInputSchema: GenMessage<SetRoleInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 21);
+
+/**
+ * Ends the session of a client, with PERMISSION_DENIED and the reason. It may join again.
+ *
+ * @generated from message jostle.v1.KickInput
+ */
+export type KickInput = Message<"jostle.v1.KickInput"> & {
+  /**
+   * @generated from field: uint32 client = 1;
+   */
+  client: number;
+
+  /**
+   * at most 100 bytes
+   *
+   * @generated from field: string reason = 2;
+   */
+  reason: string;
+};
+
+/**
+ * Describes the message jostle.v1.KickInput.
+ * Use `create(KickInputSchema)` to create a new message.
+ */
+export const KickInputSchema: GenMessage<KickInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 22);
+
+/**
+ * Kicks a client, and refuses its subject or, without a subject, its network from now on.
+ *
+ * @generated from message jostle.v1.BanInput
+ */
+export type BanInput = Message<"jostle.v1.BanInput"> & {
+  /**
+   * @generated from field: uint32 client = 1;
+   */
+  client: number;
+
+  /**
+   * of simulated time, at most 10 years; 0: until an UnbanInput
+   *
+   * @generated from field: double seconds = 2;
+   */
+  seconds: number;
+
+  /**
+   * at most 100 bytes
+   *
+   * @generated from field: string reason = 3;
+   */
+  reason: string;
+};
+
+/**
+ * Describes the message jostle.v1.BanInput.
+ * Use `create(BanInputSchema)` to create a new message.
+ */
+export const BanInputSchema: GenMessage<BanInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 23);
+
+/**
+ * @generated from message jostle.v1.UnbanInput
+ */
+export type UnbanInput = Message<"jostle.v1.UnbanInput"> & {
+  /**
+   * RoomBan.member
+   *
+   * @generated from field: string member = 1;
+   */
+  member: string;
+};
+
+/**
+ * Describes the message jostle.v1.UnbanInput.
+ * Use `create(UnbanInputSchema)` to create a new message.
+ */
+export const UnbanInputSchema: GenMessage<UnbanInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 24);
+
+/**
+ * Refuses the messages of a client to other clients.
+ *
+ * @generated from message jostle.v1.MuteInput
+ */
+export type MuteInput = Message<"jostle.v1.MuteInput"> & {
+  /**
+   * @generated from field: uint32 client = 1;
+   */
+  client: number;
+
+  /**
+   * of simulated time, at most 10 years; 0: ends the mute
+   *
+   * @generated from field: double seconds = 2;
+   */
+  seconds: number;
+};
+
+/**
+ * Describes the message jostle.v1.MuteInput.
+ * Use `create(MuteInputSchema)` to create a new message.
+ */
+export const MuteInputSchema: GenMessage<MuteInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 25);
+
+/**
+ * Deletes all bodies that a client spawned, also after it left.
+ *
+ * @generated from message jostle.v1.CleanUpInput
+ */
+export type CleanUpInput = Message<"jostle.v1.CleanUpInput"> & {
+  /**
+   * @generated from field: uint32 client = 1;
+   */
+  client: number;
+};
+
+/**
+ * Describes the message jostle.v1.CleanUpInput.
+ * Use `create(CleanUpInputSchema)` to create a new message.
+ */
+export const CleanUpInputSchema: GenMessage<CleanUpInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 26);
+
+/**
+ * Adds a protected area, or replaces the one with its name.
+ *
+ * @generated from message jostle.v1.ProtectInput
+ */
+export type ProtectInput = Message<"jostle.v1.ProtectInput"> & {
+  /**
+   * @generated from field: jostle.v1.ProtectedArea area = 1;
+   */
+  area?: ProtectedArea | undefined;
+};
+
+/**
+ * Describes the message jostle.v1.ProtectInput.
+ * Use `create(ProtectInputSchema)` to create a new message.
+ */
+export const ProtectInputSchema: GenMessage<ProtectInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 27);
+
+/**
+ * @generated from message jostle.v1.UnprotectInput
+ */
+export type UnprotectInput = Message<"jostle.v1.UnprotectInput"> & {
+  /**
+   * ProtectedArea.name
+   *
+   * @generated from field: string name = 1;
+   */
+  name: string;
+};
+
+/**
+ * Describes the message jostle.v1.UnprotectInput.
+ * Use `create(UnprotectInputSchema)` to create a new message.
+ */
+export const UnprotectInputSchema: GenMessage<UnprotectInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 28);
+
+/**
+ * Begins a vote to kick a client, or joins it. The vote succeeds with the votes of more than half of the other players,
+ * at least 2, within 60 s. A client begins at most one vote in 120 s.
+ *
+ * @generated from message jostle.v1.VoteKickInput
+ */
+export type VoteKickInput = Message<"jostle.v1.VoteKickInput"> & {
+  /**
+   * @generated from field: uint32 client = 1;
+   */
+  client: number;
+};
+
+/**
+ * Describes the message jostle.v1.VoteKickInput.
+ * Use `create(VoteKickInputSchema)` to create a new message.
+ */
+export const VoteKickInputSchema: GenMessage<VoteKickInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 29);
+
+/**
+ * Pauses the world, or resumes it if a member of the room paused it.
+ *
+ * @generated from message jostle.v1.PauseInput
+ */
+export type PauseInput = Message<"jostle.v1.PauseInput"> & {
+  /**
+   * @generated from field: bool paused = 1;
+   */
+  paused: boolean;
+};
+
+/**
+ * Describes the message jostle.v1.PauseInput.
+ * Use `create(PauseInputSchema)` to create a new message.
+ */
+export const PauseInputSchema: GenMessage<PauseInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 30);
+
+/**
+ * Starts the world from its scene again. Clients receive a WORLD_RESTARTED notice and resume their sessions.
+ *
+ * @generated from message jostle.v1.ResetInput
+ */
+export type ResetInput = Message<"jostle.v1.ResetInput"> & {
+};
+
+/**
+ * Describes the message jostle.v1.ResetInput.
+ * Use `create(ResetInputSchema)` to create a new message.
+ */
+export const ResetInputSchema: GenMessage<ResetInput> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 31);
+
+/**
  * Acknowledges decoded snapshots.
  *
  * @generated from message jostle.v1.Ack
@@ -823,7 +1317,7 @@ export type Ack = Message<"jostle.v1.Ack"> & {
  * Use `create(AckSchema)` to create a new message.
  */
 export const AckSchema: GenMessage<Ack> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 17);
+  messageDesc(file_jostle_v1_play, 32);
 
 /**
  * Measures the clock offset and the round-trip time. The server answers with a Pong.
@@ -844,7 +1338,7 @@ export type Ping = Message<"jostle.v1.Ping"> & {
  * Use `create(PingSchema)` to create a new message.
  */
 export const PingSchema: GenMessage<Ping> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 18);
+  messageDesc(file_jostle_v1_play, 33);
 
 /**
  * Ends the session. The server removes the client at once, without a resume timeout, and closes the stream with OK.
@@ -859,7 +1353,7 @@ export type Leave = Message<"jostle.v1.Leave"> & {
  * Use `create(LeaveSchema)` to create a new message.
  */
 export const LeaveSchema: GenMessage<Leave> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 19);
+  messageDesc(file_jostle_v1_play, 34);
 
 /**
  * A message from the server to the client.
@@ -916,7 +1410,7 @@ export type ServerMessage = Message<"jostle.v1.ServerMessage"> & {
  * Use `create(ServerMessageSchema)` to create a new message.
  */
 export const ServerMessageSchema: GenMessage<ServerMessage> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 20);
+  messageDesc(file_jostle_v1_play, 35);
 
 /**
  * State of the entities of one interest cell, encoded like a frame (WIRE.md, "Cells").
@@ -963,7 +1457,7 @@ export type CellUpdate = Message<"jostle.v1.CellUpdate"> & {
  * Use `create(CellUpdateSchema)` to create a new message.
  */
 export const CellUpdateSchema: GenMessage<CellUpdate> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 21);
+  messageDesc(file_jostle_v1_play, 36);
 
 /**
  * Accepts a Hello. The first message of a stream.
@@ -1138,7 +1632,7 @@ export type Welcome = Message<"jostle.v1.Welcome"> & {
  * Use `create(WelcomeSchema)` to create a new message.
  */
 export const WelcomeSchema: GenMessage<Welcome> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 22);
+  messageDesc(file_jostle_v1_play, 37);
 
 /**
  * Credentials for datagrams in addition to this stream (WIRE.md, "Datagrams"). Valid as long as the stream.
@@ -1173,7 +1667,7 @@ export type DatagramCredentials = Message<"jostle.v1.DatagramCredentials"> & {
  * Use `create(DatagramCredentialsSchema)` to create a new message.
  */
 export const DatagramCredentialsSchema: GenMessage<DatagramCredentials> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 23);
+  messageDesc(file_jostle_v1_play, 38);
 
 /**
  * A kind of channel: state that a module publishes for an entity or for itself, as a list of integers (WIRE.md,
@@ -1195,7 +1689,7 @@ export type ChannelKind = Message<"jostle.v1.ChannelKind"> & {
   form: ChannelForm;
 
   /**
-   * published every divisor-th tick; constant in between
+   * published every divisor-th tick; constant in between, except for the first points of a kind
    *
    * @generated from field: uint32 divisor = 3;
    */
@@ -1207,7 +1701,7 @@ export type ChannelKind = Message<"jostle.v1.ChannelKind"> & {
  * Use `create(ChannelKindSchema)` to create a new message.
  */
 export const ChannelKindSchema: GenMessage<ChannelKind> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 24);
+  messageDesc(file_jostle_v1_play, 39);
 
 /**
  * The constant properties of a point object: a rope, a cloth, a group of particles. It precedes the first PointUpdate
@@ -1325,7 +1819,7 @@ export type PointObject = Message<"jostle.v1.PointObject"> & {
  * Use `create(PointObjectSchema)` to create a new message.
  */
 export const PointObjectSchema: GenMessage<PointObject> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 25);
+  messageDesc(file_jostle_v1_play, 40);
 
 /**
  * A state of a point object (WIRE.md, "Points").
@@ -1378,7 +1872,7 @@ export type PointUpdate = Message<"jostle.v1.PointUpdate"> & {
  * Use `create(PointUpdateSchema)` to create a new message.
  */
 export const PointUpdateSchema: GenMessage<PointUpdate> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 26);
+  messageDesc(file_jostle_v1_play, 41);
 
 /**
  * Quantization of poses; WIRE.md has the formulas.
@@ -1406,7 +1900,7 @@ export type QuantSpec = Message<"jostle.v1.QuantSpec"> & {
  * Use `create(QuantSpecSchema)` to create a new message.
  */
 export const QuantSpecSchema: GenMessage<QuantSpec> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 27);
+  messageDesc(file_jostle_v1_play, 42);
 
 /**
  * A chunk of a shape of more than 1 kB, sent once for all bodies that use it: a serialized Shape with only its kind
@@ -1448,7 +1942,7 @@ export type GeometryChunk = Message<"jostle.v1.GeometryChunk"> & {
  * Use `create(GeometryChunkSchema)` to create a new message.
  */
 export const GeometryChunkSchema: GenMessage<GeometryChunk> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 28);
+  messageDesc(file_jostle_v1_play, 43);
 
 /**
  * Changes in the list of entities since the last EntityUpdate to this client. The first ones list all entities. A large
@@ -1488,7 +1982,7 @@ export type EntityUpdate = Message<"jostle.v1.EntityUpdate"> & {
  * Use `create(EntityUpdateSchema)` to create a new message.
  */
 export const EntityUpdateSchema: GenMessage<EntityUpdate> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 29);
+  messageDesc(file_jostle_v1_play, 44);
 
 /**
  * @generated from message jostle.v1.Entity
@@ -1585,7 +2079,7 @@ export type Entity = Message<"jostle.v1.Entity"> & {
  * Use `create(EntitySchema)` to create a new message.
  */
 export const EntitySchema: GenMessage<Entity> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 30);
+  messageDesc(file_jostle_v1_play, 45);
 
 /**
  * A joint of the world, for display and local simulation.
@@ -1625,7 +2119,7 @@ export type JointInfo = Message<"jostle.v1.JointInfo"> & {
  * Use `create(JointInfoSchema)` to create a new message.
  */
 export const JointInfoSchema: GenMessage<JointInfo> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 31);
+  messageDesc(file_jostle_v1_play, 46);
 
 /**
  * Changes in the list of joints since the last JointUpdate to this client: first the removed ones, then the added ones.
@@ -1671,7 +2165,7 @@ export type JointUpdate = Message<"jostle.v1.JointUpdate"> & {
  * Use `create(JointUpdateSchema)` to create a new message.
  */
 export const JointUpdateSchema: GenMessage<JointUpdate> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 32);
+  messageDesc(file_jostle_v1_play, 47);
 
 /**
  * Everything that the server sends to a client for one tick.
@@ -1802,6 +2296,35 @@ export type Snapshot = Message<"jostle.v1.Snapshot"> & {
    * @generated from field: jostle.v1.JointUpdate joints = 36;
    */
   joints?: JointUpdate | undefined;
+
+  /**
+   * for subscribers (Hello.players), in order
+   *
+   * @generated from field: repeated jostle.v1.PlayerUpdate players = 30;
+   */
+  players: PlayerUpdate[];
+
+  /**
+   * for subscribers (Hello.attributes), in order
+   *
+   * @generated from field: repeated jostle.v1.AttributeUpdate attributes = 31;
+   */
+  attributes: AttributeUpdate[];
+
+  /**
+   * for subscribers (Hello.topics), in order
+   *
+   * @generated from field: repeated jostle.v1.UserMessage messages = 32;
+   */
+  messages: UserMessage[];
+
+  /**
+   * User messages before these that the server no longer stored when the client was ready to receive them. It includes
+   * messages to others.
+   *
+   * @generated from field: uint32 messages_missed = 33;
+   */
+  messagesMissed: number;
 };
 
 /**
@@ -1809,7 +2332,390 @@ export type Snapshot = Message<"jostle.v1.Snapshot"> & {
  * Use `create(SnapshotSchema)` to create a new message.
  */
 export const SnapshotSchema: GenMessage<Snapshot> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 33);
+  messageDesc(file_jostle_v1_play, 48);
+
+/**
+ * A client in a world, from its first join until it leaves for good. A client whose connection broke stays in the list
+ * until its resume timeout.
+ *
+ * @generated from message jostle.v1.Player
+ */
+export type Player = Message<"jostle.v1.Player"> & {
+  /**
+   * client id
+   *
+   * @generated from field: uint32 client = 1;
+   */
+  client: number;
+
+  /**
+   * @generated from field: string name = 2;
+   */
+  name: string;
+
+  /**
+   * @generated from field: jostle.v1.PlayerRole role = 3;
+   */
+  role: PlayerRole;
+
+  /**
+   * 0xRRGGBB
+   *
+   * @generated from field: optional fixed32 color = 4;
+   */
+  color?: number | undefined;
+
+  /**
+   * the connection broke; the client may resume
+   *
+   * @generated from field: bool disconnected = 5;
+   */
+  disconnected: boolean;
+
+  /**
+   * @generated from field: uint32 joined_tick = 6;
+   */
+  joinedTick: number;
+
+  /**
+   * round-trip time, ms; 0: unknown. Only in PlayerUpdate.players
+   *
+   * @generated from field: uint32 ping_ms = 7;
+   */
+  pingMs: number;
+};
+
+/**
+ * Describes the message jostle.v1.Player.
+ * Use `create(PlayerSchema)` to create a new message.
+ */
+export const PlayerSchema: GenMessage<Player> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 49);
+
+/**
+ * @generated from message jostle.v1.PlayerEvent
+ */
+export type PlayerEvent = Message<"jostle.v1.PlayerEvent"> & {
+  /**
+   * @generated from field: uint32 tick = 1;
+   */
+  tick: number;
+
+  /**
+   * @generated from field: jostle.v1.PlayerEventKind kind = 2;
+   */
+  kind: PlayerEventKind;
+
+  /**
+   * after the event; of a player that left: before it
+   *
+   * @generated from field: jostle.v1.Player player = 3;
+   */
+  player?: Player | undefined;
+};
+
+/**
+ * Describes the message jostle.v1.PlayerEvent.
+ * Use `create(PlayerEventSchema)` to create a new message.
+ */
+export const PlayerEventSchema: GenMessage<PlayerEvent> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 50);
+
+/**
+ * A change of the player list. The list is the last complete one with all later events applied. A snapshot that a
+ * client requested with Ack.need_keyframe carries complete lists of players and attributes.
+ *
+ * @generated from message jostle.v1.PlayerUpdate
+ */
+export type PlayerUpdate = Message<"jostle.v1.PlayerUpdate"> & {
+  /**
+   * `players` replaces the list
+   *
+   * @generated from field: bool complete = 1;
+   */
+  complete: boolean;
+
+  /**
+   * sorted by client id
+   *
+   * @generated from field: repeated jostle.v1.Player players = 2;
+   */
+  players: Player[];
+
+  /**
+   * in order
+   *
+   * @generated from field: repeated jostle.v1.PlayerEvent events = 3;
+   */
+  events: PlayerEvent[];
+
+  /**
+   * of all connected players, once per second
+   *
+   * @generated from field: repeated jostle.v1.PlayerPing pings = 4;
+   */
+  pings: PlayerPing[];
+};
+
+/**
+ * Describes the message jostle.v1.PlayerUpdate.
+ * Use `create(PlayerUpdateSchema)` to create a new message.
+ */
+export const PlayerUpdateSchema: GenMessage<PlayerUpdate> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 51);
+
+/**
+ * @generated from message jostle.v1.PlayerPing
+ */
+export type PlayerPing = Message<"jostle.v1.PlayerPing"> & {
+  /**
+   * @generated from field: uint32 client = 1;
+   */
+  client: number;
+
+  /**
+   * round-trip time, ms; 0: unknown
+   *
+   * @generated from field: uint32 ping_ms = 2;
+   */
+  pingMs: number;
+};
+
+/**
+ * Describes the message jostle.v1.PlayerPing.
+ * Use `create(PlayerPingSchema)` to create a new message.
+ */
+export const PlayerPingSchema: GenMessage<PlayerPing> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 52);
+
+/**
+ * A typed value with a name.
+ *
+ * @generated from message jostle.v1.Attribute
+ */
+export type Attribute = Message<"jostle.v1.Attribute"> & {
+  /**
+   * 1 to 32 of the characters a-z, 0-9, '_' and '.'
+   *
+   * @generated from field: string key = 1;
+   */
+  key: string;
+
+  /**
+   * none: the attribute is removed, or the receiver may no longer read it
+   *
+   * @generated from oneof jostle.v1.Attribute.value
+   */
+  value: {
+    /**
+     * @generated from field: bool boolean = 2;
+     */
+    value: boolean;
+    case: "boolean";
+  } | {
+    /**
+     * @generated from field: sint64 integer = 3;
+     */
+    value: bigint;
+    case: "integer";
+  } | {
+    /**
+     * finite
+     *
+     * @generated from field: double number = 4;
+     */
+    value: number;
+    case: "number";
+  } | {
+    /**
+     * UTF-8, at most world.attribute_text_bytes_max (default 256) bytes
+     *
+     * @generated from field: string text = 5;
+     */
+    value: string;
+    case: "text";
+  } | {
+    /**
+     * finite
+     *
+     * @generated from field: jostle.v1.Vec3 vector = 6;
+     */
+    value: Vec3;
+    case: "vector";
+  } | { case: undefined; value?: undefined };
+
+  /**
+   * @generated from field: jostle.v1.AttributeVisibility visibility = 7;
+   */
+  visibility: AttributeVisibility;
+
+  /**
+   * one bit (1 << PlayerRole) per role; only with ROLES
+   *
+   * @generated from field: uint32 roles = 8;
+   */
+  roles: number;
+
+  /**
+   * set by the server, so that clients cannot change it; ignored in inputs
+   *
+   * @generated from field: bool read_only = 9;
+   */
+  readOnly: boolean;
+};
+
+/**
+ * Describes the message jostle.v1.Attribute.
+ * Use `create(AttributeSchema)` to create a new message.
+ */
+export const AttributeSchema: GenMessage<Attribute> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 53);
+
+/**
+ * Attributes of one target. The attributes of an entity or a player end with it. A client with an area of interest
+ * receives the attributes of all entities.
+ *
+ * @generated from message jostle.v1.AttributeSet
+ */
+export type AttributeSet = Message<"jostle.v1.AttributeSet"> & {
+  /**
+   * @generated from oneof jostle.v1.AttributeSet.target
+   */
+  target: {
+    /**
+     * @generated from field: uint32 entity = 1;
+     */
+    value: number;
+    case: "entity";
+  } | {
+    /**
+     * client id
+     *
+     * @generated from field: uint32 player = 2;
+     */
+    value: number;
+    case: "player";
+  } | {
+    /**
+     * true
+     *
+     * @generated from field: bool world = 3;
+     */
+    value: boolean;
+    case: "world";
+  } | { case: undefined; value?: undefined };
+
+  /**
+   * sorted by key in updates
+   *
+   * @generated from field: repeated jostle.v1.Attribute attributes = 4;
+   */
+  attributes: Attribute[];
+};
+
+/**
+ * Describes the message jostle.v1.AttributeSet.
+ * Use `create(AttributeSetSchema)` to create a new message.
+ */
+export const AttributeSetSchema: GenMessage<AttributeSet> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 54);
+
+/**
+ * Changes of the attributes that the client may read.
+ *
+ * @generated from message jostle.v1.AttributeUpdate
+ */
+export type AttributeUpdate = Message<"jostle.v1.AttributeUpdate"> & {
+  /**
+   * @generated from field: uint32 tick = 1;
+   */
+  tick: number;
+
+  /**
+   * the client discards all earlier attributes
+   *
+   * @generated from field: bool complete = 2;
+   */
+  complete: boolean;
+
+  /**
+   * @generated from field: repeated jostle.v1.AttributeSet sets = 3;
+   */
+  sets: AttributeSet[];
+
+  /**
+   * the client discards their attributes; may list unknown ones
+   *
+   * @generated from field: repeated uint32 entities_ended = 4;
+   */
+  entitiesEnded: number[];
+
+  /**
+   * likewise
+   *
+   * @generated from field: repeated uint32 players_ended = 5;
+   */
+  playersEnded: number[];
+};
+
+/**
+ * Describes the message jostle.v1.AttributeUpdate.
+ * Use `create(AttributeUpdateSchema)` to create a new message.
+ */
+export const AttributeUpdateSchema: GenMessage<AttributeUpdate> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 55);
+
+/**
+ * A message from a client or the server to clients. The server does not interpret it.
+ *
+ * @generated from message jostle.v1.UserMessage
+ */
+export type UserMessage = Message<"jostle.v1.UserMessage"> & {
+  /**
+   * counts the messages of the world from 1; those to others leave gaps
+   *
+   * @generated from field: uint32 number = 1;
+   */
+  number: number;
+
+  /**
+   * in which it was sent
+   *
+   * @generated from field: uint32 tick = 2;
+   */
+  tick: number;
+
+  /**
+   * client id; 0: the server
+   *
+   * @generated from field: uint32 from = 3;
+   */
+  from: number;
+
+  /**
+   * @generated from field: string topic = 4;
+   */
+  topic: string;
+
+  /**
+   * @generated from field: bytes data = 5;
+   */
+  data: Uint8Array;
+
+  /**
+   * addressed to this client, not to all
+   *
+   * @generated from field: bool direct = 6;
+   */
+  direct: boolean;
+};
+
+/**
+ * Describes the message jostle.v1.UserMessage.
+ * Use `create(UserMessageSchema)` to create a new message.
+ */
+export const UserMessageSchema: GenMessage<UserMessage> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_play, 56);
 
 /**
  * The part of a snapshot that concerns only the receiving client.
@@ -1866,7 +2772,7 @@ export type ClientUpdate = Message<"jostle.v1.ClientUpdate"> & {
  * Use `create(ClientUpdateSchema)` to create a new message.
  */
 export const ClientUpdateSchema: GenMessage<ClientUpdate> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 34);
+  messageDesc(file_jostle_v1_play, 57);
 
 /**
  * State of the entity that this client controls, for prediction. Sent at most 16 times per second to clients that
@@ -1929,7 +2835,7 @@ export type ControlledEntityState = Message<"jostle.v1.ControlledEntityState"> &
  * Use `create(ControlledEntityStateSchema)` to create a new message.
  */
 export const ControlledEntityStateSchema: GenMessage<ControlledEntityState> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 35);
+  messageDesc(file_jostle_v1_play, 58);
 
 /**
  * @generated from message jostle.v1.InputResult
@@ -1986,7 +2892,7 @@ export type InputResult = Message<"jostle.v1.InputResult"> & {
  * Use `create(InputResultSchema)` to create a new message.
  */
 export const InputResultSchema: GenMessage<InputResult> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 36);
+  messageDesc(file_jostle_v1_play, 59);
 
 /**
  * Answers a Ping.
@@ -2014,7 +2920,7 @@ export type Pong = Message<"jostle.v1.Pong"> & {
  * Use `create(PongSchema)` to create a new message.
  */
 export const PongSchema: GenMessage<Pong> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 37);
+  messageDesc(file_jostle_v1_play, 60);
 
 /**
  * Statistics of a world, sent twice per second by default (stream.stats_per_second in the server's settings).
@@ -2097,7 +3003,7 @@ export type WorldStats = Message<"jostle.v1.WorldStats"> & {
  * Use `create(WorldStatsSchema)` to create a new message.
  */
 export const WorldStatsSchema: GenMessage<WorldStats> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 38);
+  messageDesc(file_jostle_v1_play, 61);
 
 /**
  * @generated from message jostle.v1.Notice
@@ -2119,7 +3025,7 @@ export type Notice = Message<"jostle.v1.Notice"> & {
  * Use `create(NoticeSchema)` to create a new message.
  */
 export const NoticeSchema: GenMessage<Notice> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 39);
+  messageDesc(file_jostle_v1_play, 62);
 
 /**
  * Events of one tick, sorted by entity. Sent only to subscribers (Hello.events), for ticks with events. A client that
@@ -2204,7 +3110,7 @@ export type Events = Message<"jostle.v1.Events"> & {
  * Use `create(EventsSchema)` to create a new message.
  */
 export const EventsSchema: GenMessage<Events> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 40);
+  messageDesc(file_jostle_v1_play, 63);
 
 /**
  * @generated from message jostle.v1.ContactEvent
@@ -2254,7 +3160,7 @@ export type ContactEvent = Message<"jostle.v1.ContactEvent"> & {
  * Use `create(ContactEventSchema)` to create a new message.
  */
 export const ContactEventSchema: GenMessage<ContactEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 41);
+  messageDesc(file_jostle_v1_play, 64);
 
 /**
  * @generated from message jostle.v1.TriggerEvent
@@ -2278,7 +3184,7 @@ export type TriggerEvent = Message<"jostle.v1.TriggerEvent"> & {
  * Use `create(TriggerEventSchema)` to create a new message.
  */
 export const TriggerEventSchema: GenMessage<TriggerEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 42);
+  messageDesc(file_jostle_v1_play, 65);
 
 /**
  * @generated from message jostle.v1.JointBreakEvent
@@ -2314,7 +3220,47 @@ export type JointBreakEvent = Message<"jostle.v1.JointBreakEvent"> & {
  * Use `create(JointBreakEventSchema)` to create a new message.
  */
 export const JointBreakEventSchema: GenMessage<JointBreakEvent> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_play, 43);
+  messageDesc(file_jostle_v1_play, 66);
+
+/**
+ * The role of a client in one world. Each role has the permissions of those before it.
+ *
+ * @generated from enum jostle.v1.PlayerRole
+ */
+export enum PlayerRole {
+  /**
+   * @generated from enum value: PLAYER_ROLE_UNSPECIFIED = 0;
+   */
+  UNSPECIFIED = 0,
+
+  /**
+   * sends no inputs to the simulation
+   *
+   * @generated from enum value: PLAYER_ROLE_SPECTATOR = 1;
+   */
+  SPECTATOR = 1,
+
+  /**
+   * @generated from enum value: PLAYER_ROLE_PLAYER = 2;
+   */
+  PLAYER = 2,
+
+  /**
+   * @generated from enum value: PLAYER_ROLE_BUILDER = 3;
+   */
+  BUILDER = 3,
+
+  /**
+   * @generated from enum value: PLAYER_ROLE_OWNER = 4;
+   */
+  OWNER = 4,
+}
+
+/**
+ * Describes the enum jostle.v1.PlayerRole.
+ */
+export const PlayerRoleSchema: GenEnum<PlayerRole> = /*@__PURE__*/
+  enumDesc(file_jostle_v1_play, 0);
 
 /**
  * Layout of the integers, for viewers that do not know the module.
@@ -2353,7 +3299,7 @@ export enum ChannelForm {
  * Describes the enum jostle.v1.ChannelForm.
  */
 export const ChannelFormSchema: GenEnum<ChannelForm> = /*@__PURE__*/
-  enumDesc(file_jostle_v1_play, 0);
+  enumDesc(file_jostle_v1_play, 1);
 
 /**
  * Connections of the points of a point object.
@@ -2406,7 +3352,97 @@ export enum PointForm {
  * Describes the enum jostle.v1.PointForm.
  */
 export const PointFormSchema: GenEnum<PointForm> = /*@__PURE__*/
-  enumDesc(file_jostle_v1_play, 1);
+  enumDesc(file_jostle_v1_play, 2);
+
+/**
+ * @generated from enum jostle.v1.PlayerEventKind
+ */
+export enum PlayerEventKind {
+  /**
+   * @generated from enum value: PLAYER_EVENT_KIND_UNSPECIFIED = 0;
+   */
+  UNSPECIFIED = 0,
+
+  /**
+   * @generated from enum value: PLAYER_EVENT_KIND_JOINED = 1;
+   */
+  JOINED = 1,
+
+  /**
+   * the attributes of the player end with it
+   *
+   * @generated from enum value: PLAYER_EVENT_KIND_LEFT = 2;
+   */
+  LEFT = 2,
+
+  /**
+   * @generated from enum value: PLAYER_EVENT_KIND_RENAMED = 3;
+   */
+  RENAMED = 3,
+
+  /**
+   * @generated from enum value: PLAYER_EVENT_KIND_ROLE_CHANGED = 4;
+   */
+  ROLE_CHANGED = 4,
+
+  /**
+   * the connection broke; the client may resume
+   *
+   * @generated from enum value: PLAYER_EVENT_KIND_DISCONNECTED = 5;
+   */
+  DISCONNECTED = 5,
+
+  /**
+   * @generated from enum value: PLAYER_EVENT_KIND_RESUMED = 6;
+   */
+  RESUMED = 6,
+}
+
+/**
+ * Describes the enum jostle.v1.PlayerEventKind.
+ */
+export const PlayerEventKindSchema: GenEnum<PlayerEventKind> = /*@__PURE__*/
+  enumDesc(file_jostle_v1_play, 3);
+
+/**
+ * Receivers of an attribute.
+ *
+ * @generated from enum jostle.v1.AttributeVisibility
+ */
+export enum AttributeVisibility {
+  /**
+   * as EVERYONE
+   *
+   * @generated from enum value: ATTRIBUTE_VISIBILITY_UNSPECIFIED = 0;
+   */
+  UNSPECIFIED = 0,
+
+  /**
+   * @generated from enum value: ATTRIBUTE_VISIBILITY_EVERYONE = 1;
+   */
+  EVERYONE = 1,
+
+  /**
+   * The client that owns the entity, the client of the player, or the clients with the role owner for attributes of the
+   * world.
+   *
+   * @generated from enum value: ATTRIBUTE_VISIBILITY_OWNER = 2;
+   */
+  OWNER = 2,
+
+  /**
+   * the clients whose role is in Attribute.roles
+   *
+   * @generated from enum value: ATTRIBUTE_VISIBILITY_ROLES = 3;
+   */
+  ROLES = 3,
+}
+
+/**
+ * Describes the enum jostle.v1.AttributeVisibility.
+ */
+export const AttributeVisibilitySchema: GenEnum<AttributeVisibility> = /*@__PURE__*/
+  enumDesc(file_jostle_v1_play, 4);
 
 /**
  * @generated from enum jostle.v1.InputCode
@@ -2437,14 +3473,15 @@ export enum InputCode {
   NOT_FOUND = 3,
 
   /**
-   * another client owns the entity, it is not dynamic, or the client is a spectator
+   * Another client owns the entity, it is not dynamic, the client is a spectator, or the permissions of the room forbid
+   * it.
    *
    * @generated from enum value: INPUT_CODE_NOT_ALLOWED = 4;
    */
   NOT_ALLOWED = 4,
 
   /**
-   * too many bodies, inputs per second, or inputs waiting for the world
+   * Too many bodies, inputs per second or inputs waiting for the world, or a quota of the room.
    *
    * @generated from enum value: INPUT_CODE_LIMIT = 5;
    */
@@ -2462,7 +3499,7 @@ export enum InputCode {
  * Describes the enum jostle.v1.InputCode.
  */
 export const InputCodeSchema: GenEnum<InputCode> = /*@__PURE__*/
-  enumDesc(file_jostle_v1_play, 2);
+  enumDesc(file_jostle_v1_play, 5);
 
 /**
  * @generated from enum jostle.v1.NoticeCode
@@ -2514,7 +3551,7 @@ export enum NoticeCode {
  * Describes the enum jostle.v1.NoticeCode.
  */
 export const NoticeCodeSchema: GenEnum<NoticeCode> = /*@__PURE__*/
-  enumDesc(file_jostle_v1_play, 3);
+  enumDesc(file_jostle_v1_play, 6);
 
 /**
  * @generated from service jostle.v1.PlayService

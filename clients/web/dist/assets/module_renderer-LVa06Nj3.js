@@ -1,0 +1,1 @@
+function e({name:e,owner:t}){return e===``&&t===0}export{e as t};

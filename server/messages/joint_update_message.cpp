@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "server/messages/joint_update_message.h"
 
-#include <algorithm>
-#include <memory>
+#include <string>
 #include <unordered_map>
 #include <utility>
 
@@ -19,76 +18,115 @@ constexpr std::size_t id_bytes = 5;
 constexpr std::size_t joint_bytes = 24;  // at most, without its form
 constexpr std::size_t forms_max = 65536;
 
-class JointUpdateWriter {
-public:
-    void set_complete() { update().set_complete(true); }
-    void remove(std::uint32_t id) {
-        update().add_removed(id);
-        count(id_bytes);
-    }
-    void add(const JointDescription& joint) {
-        v1::Joint form;
-        scenes::write_joint_form(form, joint.def);
-        std::size_t added = joint_bytes;
-        const auto next = static_cast<std::uint32_t>(forms_.size());
-        const auto [known, fresh] = forms_.try_emplace(form.SerializeAsString(), next);
-        if (fresh) {
-            added += known->first.size();
-            *update().add_forms() = std::move(form);
-        }
-        v1::JointInfo& to = *update().add_added();
-        to.set_id(joint.id);
-        to.set_entity_a(joint.entity_a);
-        to.set_entity_b(joint.entity_b);
-        to.set_form(known->second);
-        count(added);
-    }
-    std::vector<SharedBytes> take() {
-        flush();
-        return std::move(fields_);
-    }
-
-private:
-    v1::JointUpdate& update() { return *snapshot_.mutable_joints(); }
-    void count(std::size_t bytes) {
-        bytes_ += bytes;
-        if (bytes_ >= field_bytes_max || forms_.size() == forms_max) flush();
-    }
-    void flush() {
-        if (!snapshot_.has_joints()) return;
-        fields_.push_back(std::make_shared<const std::string>(snapshot_.SerializeAsString()));
-        snapshot_.Clear();
-        forms_.clear();
-        bytes_ = 0;
-    }
-
-    v1::Snapshot snapshot_;                                 // only the joints
-    std::unordered_map<std::string, std::uint32_t> forms_;  // by their bytes
-    std::size_t bytes_ = 0;
-    std::vector<SharedBytes> fields_;
-};
+const JointList& list_or_empty(const std::shared_ptr<const JointList>& list) {
+    static const JointList nothing;
+    return list ? *list : nothing;
+}
 
 }  // namespace
 
-std::vector<SharedBytes> joint_update_fields(const JointList* from, const JointList& to) {
-    JointUpdateWriter writer;
-    static const JointList nothing;
-    if (!from) writer.set_complete();
-    const JointList& old = from ? *from : nothing;
-    // Equal descriptions are the same object, so that lists of different registries share none.
-    JointList added;
-    std::size_t i = 0, j = 0;
-    while (i < old.size() || j < to.size()) {
-        if (i < old.size() && j < to.size() && old[i] == to[j]) {
+struct JointUpdateWriter::Update {
+    v1::Snapshot snapshot;                                 // only the joints
+    std::unordered_map<std::string, std::uint32_t> forms;  // by their bytes
+    v1::JointUpdate& joints() { return *snapshot.mutable_joints(); }
+};
+
+JointUpdateWriter::JointUpdateWriter() : update_(std::make_unique<Update>()) {}
+JointUpdateWriter::~JointUpdateWriter() = default;
+
+void JointUpdateWriter::set_complete() {
+    update_->joints().set_complete(true);
+}
+
+void JointUpdateWriter::remove(std::uint32_t id) {
+    update_->joints().add_removed(id);
+    bytes_ += id_bytes;
+}
+
+void JointUpdateWriter::add(const JointDescription& joint) {
+    v1::Joint form;
+    scenes::write_joint_form(form, joint.def);
+    const auto next = static_cast<std::uint32_t>(update_->forms.size());
+    const auto [known, fresh] = update_->forms.try_emplace(form.SerializeAsString(), next);
+    if (fresh) {
+        bytes_ += known->first.size();
+        *update_->joints().add_forms() = std::move(form);
+    }
+    v1::JointInfo& to = *update_->joints().add_added();
+    to.set_id(joint.id);
+    to.set_entity_a(joint.entity_a);
+    to.set_entity_b(joint.entity_b);
+    to.set_form(known->second);
+    bytes_ += joint_bytes;
+}
+
+bool JointUpdateWriter::is_full() const {
+    return bytes_ >= field_bytes_max || update_->forms.size() == forms_max;
+}
+
+SharedBytes JointUpdateWriter::take() {
+    if (!update_->snapshot.has_joints()) return nullptr;
+    auto bytes = std::make_shared<const std::string>(update_->snapshot.SerializeAsString());
+    update_ = std::make_unique<Update>();
+    bytes_ = 0;
+    return bytes;
+}
+
+JointListChange::JointListChange(std::shared_ptr<const JointList> from,
+                                 std::shared_ptr<const JointList> to)
+    : from_(std::move(from)), to_(std::move(to)) {
+    ASSERT(to_ != nullptr);
+    removed_ = next_removed();
+    added_ = next_added();
+    is_complete_ = from_ && !removed_ && !added_;
+    if (!from_) writer_.set_complete();
+}
+
+JointListChange::Field JointListChange::field(std::size_t index) {
+    const std::lock_guard lock(mutex_);
+    ASSERT(index <= fields_.size());
+    if (index == fields_.size() && !is_complete_) encode_field();
+    if (index >= fields_.size()) return {};
+    return {fields_[index], is_complete_ && index + 1 == fields_.size()};
+}
+
+void JointListChange::encode_field() {
+    for (; removed_ && !writer_.is_full(); removed_ = next_removed()) writer_.remove(removed_->id);
+    for (; !removed_ && added_ && !writer_.is_full(); added_ = next_added()) writer_.add(*added_);
+    fields_.push_back(writer_.take());
+    ASSERT(fields_.back() != nullptr);
+    is_complete_ = !removed_ && !added_;
+}
+
+// Equal descriptions are the same object, so that lists of different registries share none.
+const JointDescription* JointListChange::next_removed() {
+    const JointList& old = list_or_empty(from_);
+    auto& [i, j] = removals_;
+    while (i < old.size()) {
+        if (j < to_->size() && old[i] == (*to_)[j]) {
             ++i, ++j;
-        } else if (j == to.size() || (i < old.size() && old[i]->id <= to[j]->id)) {
-            writer.remove(old[i++]->id);
+        } else if (j == to_->size() || old[i]->id <= (*to_)[j]->id) {
+            return old[i++].get();
         } else {
-            added.push_back(to[j++]);
+            ++j;
         }
     }
-    for (const auto& joint : added) writer.add(*joint);
-    return writer.take();
+    return nullptr;
+}
+
+const JointDescription* JointListChange::next_added() {
+    const JointList& old = list_or_empty(from_);
+    auto& [i, j] = additions_;
+    while (j < to_->size()) {
+        if (i < old.size() && old[i] == (*to_)[j]) {
+            ++i, ++j;
+        } else if (i < old.size() && old[i]->id <= (*to_)[j]->id) {
+            ++i;
+        } else {
+            return (*to_)[j++].get();
+        }
+    }
+    return nullptr;
 }
 
 }  // namespace jostle::server

@@ -5,7 +5,6 @@
 
 #include "jostle/base/check.h"
 #include "server/messages/event_message.h"
-#include "server/messages/joint_update_message.h"
 #include "server/messages/server_message.h"
 
 namespace jostle::server {
@@ -67,17 +66,15 @@ std::shared_ptr<const EntityUpdateMessages> BroadcastCache::entity_list_change(
     return messages;
 }
 
-std::shared_ptr<const std::vector<SharedBytes>> BroadcastCache::joint_list_change(
+std::shared_ptr<JointListChange> BroadcastCache::joint_list_change(
     const std::shared_ptr<const JointList>& from, const std::shared_ptr<const JointList>& to) {
-    ASSERT(to != nullptr);
     const std::lock_guard lock(mutex_);
-    for (const JointListChange& change : joint_list_changes_)
-        if (change.from == from && change.to == to) return change.fields;
-    const auto fields =
-        std::make_shared<const std::vector<SharedBytes>>(joint_update_fields(from.get(), *to));
+    for (const auto& change : joint_list_changes_)
+        if (change->from() == from && change->to() == to) return change;
+    auto change = std::make_shared<JointListChange>(from, to);
     if (joint_list_changes_.size() == joint_list_changes_retained) joint_list_changes_.pop_front();
-    joint_list_changes_.push_back({from, to, fields});
-    return fields;
+    joint_list_changes_.push_back(change);
+    return change;
 }
 
 SharedBytes BroadcastCache::world_stats(const FramePtr& frame, std::uint32_t clients) {

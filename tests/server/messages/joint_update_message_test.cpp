@@ -6,8 +6,10 @@
 #include <algorithm>
 #include <cmath>
 #include <fstream>
+#include <memory>
 #include <numbers>
 #include <string>
+#include <vector>
 
 #include "jostle/v1/play.pb.h"
 
@@ -23,6 +25,20 @@ std::shared_ptr<const JointDescription> joint(std::uint32_t id, EntityId a, Enti
 
 JointDef def(Vec3 at_a, Vec3 at_b, const JointKind& kind = BallJoint{}) {
     return {.frame_a = {.position = at_a}, .frame_b = {.position = at_b}, .kind = kind};
+}
+
+// All fields of the change; null `from`: the client's list is unknown.
+std::vector<SharedBytes> fields_of(const JointList* from, const JointList& to) {
+    JointListChange change(from ? std::make_shared<const JointList>(*from) : nullptr,
+                           std::make_shared<const JointList>(to));
+    std::vector<SharedBytes> fields;
+    for (bool is_last = false; !is_last;) {
+        const auto field = change.field(fields.size());
+        if (field.bytes) fields.push_back(field.bytes);
+        is_last = field.is_last;
+    }
+    EXPECT_EQ(change.field(fields.size()).bytes, nullptr);
+    return fields;
 }
 
 v1::JointUpdate parsed(const SharedBytes& field) {
@@ -62,8 +78,7 @@ TEST(JointUpdateMessage, matches_the_golden_bytes) {
         if (line.starts_with("update ")) expected.push_back(line.substr(7));
     const JointList before = golden_before(), after = golden_after(before);
     std::vector<std::string> encoded;
-    for (const auto& fields :
-         {joint_update_fields(nullptr, before), joint_update_fields(&before, after)})
+    for (const auto& fields : {fields_of(nullptr, before), fields_of(&before, after)})
         for (const SharedBytes& field : fields) encoded.push_back(hex(*field));
     EXPECT_EQ(encoded, expected);
 }
@@ -72,7 +87,7 @@ TEST(JointUpdateMessage, equal_joints_share_a_form) {
     JointList chain;
     for (std::uint32_t id = 1; id <= 500; id++)
         chain.push_back(joint(id, id, id + 1, def({0, -0.5, 0}, {0, 0.5, 0})));
-    const auto fields = joint_update_fields(nullptr, chain);
+    const auto fields = fields_of(nullptr, chain);
     ASSERT_EQ(fields.size(), 1u);
     EXPECT_EQ(parsed(fields[0]).forms_size(), 1);
     EXPECT_EQ(parsed(fields[0]).added_size(), 500);
@@ -81,15 +96,15 @@ TEST(JointUpdateMessage, equal_joints_share_a_form) {
 
 TEST(JointUpdateMessage, is_empty_for_equal_lists_unless_the_client_has_none) {
     const JointList list = golden_before();
-    EXPECT_TRUE(joint_update_fields(&list, list).empty());
-    const auto none = joint_update_fields(nullptr, {});
+    EXPECT_TRUE(fields_of(&list, list).empty());
+    const auto none = fields_of(nullptr, {});
     ASSERT_EQ(none.size(), 1u);
     EXPECT_TRUE(parsed(none[0]).complete());
 }
 
 TEST(JointUpdateMessage, replaces_joints_of_another_registry_with_the_same_ids) {
     const JointList before = golden_before(), other = golden_before();
-    const v1::JointUpdate update = parsed(joint_update_fields(&before, other).at(0));
+    const v1::JointUpdate update = parsed(fields_of(&before, other).at(0));
     EXPECT_EQ(update.removed_size(), 4);
     EXPECT_EQ(update.added_size(), 4);
 }
@@ -98,7 +113,7 @@ TEST(JointUpdateMessage, splits_100_000_joints_over_snapshots) {
     JointList list;
     for (std::uint32_t id = 1; id <= 100000; id++)
         list.push_back(joint(id, 0, id, def({std::sin(id), 0, 0}, {})));
-    const auto fields = joint_update_fields(nullptr, list);
+    const auto fields = fields_of(nullptr, list);
     int added = 0;
     for (const SharedBytes& field : fields) {
         EXPECT_LT(field->size(), 80u << 10);
@@ -106,6 +121,37 @@ TEST(JointUpdateMessage, splits_100_000_joints_over_snapshots) {
         added += parsed(field).added_size();
     }
     EXPECT_EQ(added, 100000);
+}
+
+// A client that is late must not make the others wait: one field is encoded at a time.
+TEST(JointUpdateMessage, encodes_a_field_when_it_is_needed) {
+    auto list = std::make_shared<JointList>();
+    for (std::uint32_t id = 1; id <= 20000; id++)
+        list->push_back(joint(id, 0, id, def({std::sin(id), 0, 0}, {})));
+    JointListChange change(nullptr, list);
+    const auto first = change.field(0);
+    EXPECT_FALSE(first.is_last);
+    EXPECT_EQ(change.field(0).bytes, first.bytes) << "clients share it";
+    EXPECT_NE(change.field(1).bytes, first.bytes);
+}
+
+TEST(JointUpdateMessage, removes_before_it_adds_over_all_fields) {
+    JointList before, after;
+    for (std::uint32_t id = 1; id <= 40000; id++) {
+        if (id <= 20000) before.push_back(joint(id, 0, id));
+        if (id > 20000) after.push_back(joint(id, 0, id));
+    }
+    const auto fields = fields_of(&before, after);
+    ASSERT_GT(fields.size(), 2u);
+    int removed = 0;
+    bool adds = false;
+    for (const SharedBytes& field : fields) {
+        const v1::JointUpdate update = parsed(field);
+        EXPECT_FALSE(adds && update.removed_size() > 0);
+        adds = adds || update.added_size() > 0;
+        removed += update.removed_size();
+    }
+    EXPECT_EQ(removed, 20000);
 }
 
 }  // namespace

@@ -73,6 +73,47 @@ TEST(JointsSection, a_resumed_session_receives_the_complete_list) {
     EXPECT_EQ(player.conversation.stats().decode_errors, 0u);
 }
 
+// Two chains that are 600 m apart; the client sees 40 m.
+TEST(JointsSection, a_client_with_an_area_of_interest_receives_the_joints_of_its_entities) {
+    TestServer server;
+    scenes::SceneDescription scene = chain_scene();
+    const std::size_t first = scene.bodies.size() - 4;
+    for (std::size_t k = 0; k < 4; k++) {
+        scenes::SceneBody link = scene.bodies[first + k];
+        link.body.pose.position.x += 600;
+        scene.bodies.push_back(link);
+    }
+    for (std::size_t k = 1; k < 4; k++) {
+        scenes::SceneJoint joint = scene.joints[k];
+        joint.body_a += 4;
+        joint.body_b += 4;
+        scene.joints.push_back(joint);
+    }
+    const auto world = server.host(scene);
+    client::ClientOptions options{.joints = true};
+    options.interest = client::AreaOfInterest{.x = 5, .z = 0, .radius = 40};
+    SessionHarness near(server, options), all(server, {.joints = true});
+    test::play(server, *world, {&near, &all}, 60);
+    EXPECT_EQ(all.conversation.view().joints().size(), 7u);
+    const client::WorldView& view = near.conversation.view();
+    ASSERT_EQ(view.joints().size(), 4u);
+    for (const auto& [id, joint] : view.joints())
+        EXPECT_TRUE(view.entities().contains(joint.entity_b));
+    EXPECT_EQ(near.conversation.stats().decode_errors, 0u);
+}
+
+TEST(JointsSection, joints_of_an_area_of_interest_end_when_they_break) {
+    TestServer server;
+    scenes::SceneDescription scene = chain_scene();
+    scene.joints.back().joint.break_force = 1e-3;
+    const auto world = server.host(scene);
+    client::ClientOptions options{.joints = true};
+    options.interest = client::AreaOfInterest{.x = 5, .z = 0, .radius = 40};
+    SessionHarness player(server, options);
+    test::play(server, *world, {&player}, 60);
+    EXPECT_EQ(player.conversation.view().joints().size(), 3u);
+}
+
 TEST(JointsSection, welcome_has_the_view_of_the_scene) {
     TestServer server;
     scenes::SceneDescription scene = test::small_scene();

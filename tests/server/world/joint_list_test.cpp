@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <cstddef>
+#include <vector>
+
 #include "tests/support/world_builder.h"
 
 namespace jostle::server {
@@ -81,6 +84,37 @@ TEST_F(JointListTest, joints_end_with_their_body_or_when_they_break) {
     EXPECT_EQ(list()->size(), 1u) << "the second joint breaks at 1 N";
     must(world.destroy_body(a));
     EXPECT_TRUE(list()->empty());
+}
+
+TEST_F(JointListTest, ids_are_known_before_a_joint_is_listed) {
+    connect(a, b);
+    const JointId other = connect(b, c), created = connect(a, c);
+    EXPECT_EQ(registry.id_of(created), 1u);
+    ASSERT_EQ(list()->size(), 3u);
+    EXPECT_EQ(list()->front()->joint, created);
+    EXPECT_EQ(registry.find(registry.id_of(other)), other);
+    EXPECT_TRUE(is_null(registry.find(99)));
+    must(world.destroy_joint(created));
+    const JointId reused = connect(a, c);
+    EXPECT_EQ(reused.index, created.index);
+    EXPECT_EQ(registry.id_of(reused), 4u);
+    ASSERT_EQ(list()->size(), 3u);
+    EXPECT_EQ(list()->back()->joint, reused);
+}
+
+// Describing all joints of a large world in one tick would delay it.
+TEST_F(JointListTest, describes_4096_joints_per_call) {
+    std::vector<JointId> joints;
+    for (int k = 0; k < 10000; k++) joints.push_back(connect(a, b));
+    std::vector<std::size_t> sizes;
+    for (int k = 0; k < 4; k++) sizes.push_back(list()->size());
+    EXPECT_EQ(sizes, (std::vector<std::size_t>{4096, 8192, 10000, 10000}));
+    const auto complete = list();
+    EXPECT_EQ(list(), complete);
+    // Removals are not limited.
+    for (std::size_t k = 0; k < joints.size(); k += 2) must(world.destroy_joint(joints[k]));
+    EXPECT_EQ(list()->size(), 5000u);
+    EXPECT_EQ(list()->front(), (*complete)[1]);
 }
 
 }  // namespace

@@ -160,6 +160,10 @@ std::string encode_stats_field(const Frame& frame, std::uint32_t clients) {
     stats.set_step_ms_max(frame.tick_ms_max);
     stats.set_paused(frame.paused.value_or(""));
     stats.set_late_ticks(frame.late_ticks);
+    stats.set_speed_percent(frame.speed_percent);
+    if (frame.restorable_ticks)
+        stats.mutable_restorable_ticks()->Add(frame.restorable_ticks->begin(),
+                                              frame.restorable_ticks->end());
     return fields.SerializeAsString();
 }
 
@@ -275,6 +279,7 @@ void write_results(v1::ClientUpdate& to, std::span<const InputResult> results) {
         result.set_tick(from.tick);
         result.set_entity(from.entity);
         result.set_view_time_clamped(from.view_time_clamped);
+        result.set_joint(from.joint);
         if (from.status.ok()) continue;
         result.set_message(from.status.error().message);
         result.set_retry_after_ms(static_cast<std::uint32_t>(from.status.error().retry_after_ms));

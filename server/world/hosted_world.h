@@ -146,7 +146,7 @@ private:
     Status limit_pairs();
     Status apply_and_record(const Command& command, InputResult& result);
     // By the rules of the room, if the world is one.
-    Status apply_by_rules(ClientId client, const Action& action, EntityId& affected) {
+    Status apply_by_rules(ClientId client, const Action& action, Affected& affected) {
         return room_ ? room_->apply(state_, client, action, affected)
                      : apply_action(state_, client, action, affected);
     }

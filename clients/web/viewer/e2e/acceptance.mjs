@@ -85,14 +85,14 @@ export const planarScene = {
 const inspect = (page, name) => page.evaluate((member) => window.jostle?.[member], name);
 const playing = (page, until, what) => until(`${what} plays`, () => page.evaluate(() => window.jostle?.state === 'playing' && window.jostle.snapshots > 20));
 
-async function checkAccessibility(page, what, expect) {
+export async function checkAccessibility(page, what, expect) {
   await page.evaluate(AXE);
   const violations = await page.evaluate(async () => (await window.axe.run(document, { resultTypes: ['violations'] })).violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120)).join(' | ')}`));
   expect(violations.length === 0, `axe-core finds no violations: ${what}${violations.map((text) => `\n    ${text}`).join('')}`);
 }
 
 /** Visible buttons that are too small for fingers, and elements beyond the borders of the page. */
-const layoutProblems = (page, targetMin) =>
+export const layoutProblems = (page, targetMin) =>
   page.evaluate(async (min) => {
     await Promise.all(document.getAnimations().map(({ finished }) => finished));
     const problems = [];

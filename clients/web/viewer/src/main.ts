@@ -36,6 +36,7 @@ import { StatusBanner } from './panels/status_banner';
 import { TimelinePanel } from './panels/timeline';
 import { Toasts } from './panels/toasts';
 import { DebugView } from './scene/debug_view';
+import { Sandbox } from './sandbox/sandbox';
 import { Environment, PALETTES } from './scene/environment';
 import { HitMarks } from './scene/hit_marks';
 import { JointView } from './scene/joint_view';
@@ -132,13 +133,18 @@ const listener: ConnectionListener = {
     controllable = recorded ? [] : [...entities.values()].filter((entity) => entity.controllable);
     entitiesChanged = true;
     if (!entities.has(driving.entity)) driving.reset();
+    sandbox.onWorldChanged();
   },
   stats: (stats) => {
     latestStats = stats;
     statsPanel?.update(stats);
+    sandbox.onStats(stats);
     banner.setStats(recorded ? undefined : stats);
   },
-  joints: (joints) => jointView.setJoints(joints),
+  joints: (joints) => {
+    jointView.setJoints(joints);
+    sandbox.onWorldChanged();
+  },
   worldEvents: (events) => eventsPanel?.addEvents(events, performance.now() + renderDelayMs()),
   inputRejected: (result) => toasts.show(result.message || 'the server rejected the input'),
   notice: (text) => toasts.show(text),
@@ -154,6 +160,8 @@ const connection = new Connection({
   channelKinds,
   areaOfInterest: parameters.areaOfInterest,
   joints: true,
+  players: true,
+  attributes: true,
 });
 
 function onPlaying(): void {
@@ -210,6 +218,19 @@ let entitiesChanged = false;
 let touchUsed = matchMedia('(pointer: coarse)').matches;
 addEventListener('pointerdown', ({ pointerType }) => (touchUsed = pointerType === 'touch'), { capture: true });
 
+const panels = new Panels({ left: byId('dock-left'), right: byId('dock-right'), buttons: byId('panel-buttons') }, updateLayout);
+const commands = new Commands();
+const sandbox = new Sandbox({
+  connection,
+  queries,
+  view,
+  panels,
+  commands,
+  hint: byId('tool-hint'),
+  isPlanar: () => camera.planar,
+  focus: focusBody,
+  stats: () => latestStats,
+});
 const tools = new Tools({
   canvas,
   camera,
@@ -227,6 +248,8 @@ const tools = new Tools({
   onExplosion: (x, y, z, radius) => moduleView.blasts.add(x, y, z, radius, performance.now()),
   onSpawn: (position, radius) => inputMarks.spawned(position, radius, performance.now()),
   onMenu: openBodyMenu,
+  spawnOptions: sandbox.spawnOptions,
+  onSandboxClick: (tool, hit, ray) => (tool === 'joint' ? hit && sandbox.jointTool.click(hit) : sandbox.inspectAt(hit, ray)),
   onFocus: (hit) => hit && focusBody(hit.entity),
 });
 
@@ -240,6 +263,7 @@ function focusBody(entity: number): void {
 function openBodyMenu(hit: Pick | undefined, x: number, y: number): void {
   const entity = hit && connection.entities.get(hit.entity);
   const items: MenuItem[] = [];
+  if (entity) items.push(...sandbox.menuItems(entity.id, tools.enabled));
   if (entity && entity.mass > 0) items.push({ label: 'Focus', run: () => focusBody(entity.id) });
   if (entity?.controllable && tools.enabled) items.push({ label: 'Drive', run: () => takeControl(entity.id) });
   if (entity && tools.enabled && entity.owner !== 0 && entity.owner === connection.welcome?.clientId)
@@ -251,6 +275,7 @@ function openBodyMenu(hit: Pick | undefined, x: number, y: number): void {
 const toolbar = new Toolbar<Tool>(byId('tools'), TOOLS, selectTool);
 function selectTool(tool: Tool): void {
   tools.tool = tool;
+  sandbox.jointTool.setSelected(tool === 'joint');
   toolbar.show(tool);
   canvas.style.cursor = tool === 'drag' ? '' : 'crosshair';
 }
@@ -270,8 +295,6 @@ let statsPanel: StatsPanel | undefined;
 let debugPanel: DebugPanel | undefined;
 let eventsPanel: EventsPanel | undefined;
 
-const panels = new Panels({ left: byId('dock-left'), right: byId('dock-right'), buttons: byId('panel-buttons') }, updateLayout);
-const commands = new Commands();
 const banner = new StatusBanner({
   element: byId('banner'),
   world: () => connection.welcome?.worldId ?? '',
@@ -346,6 +369,7 @@ panels.register({
     return eventsPanel;
   },
 });
+sandbox.register();
 panels.register({
   id: 'help',
   title: 'Help',
@@ -404,6 +428,7 @@ addEventListener('blur', () => driving.blur());
 function escape(): void {
   if (contextMenu.close()) return canvas.focus();
   if (driving.entity !== 0) return driving.stopControlling();
+  if (sandbox.cancel()) return;
   panels.closeNewest();
 }
 
@@ -580,6 +605,7 @@ function updateFrame(seconds: number): void {
   colorBodies(rendered);
   view.update(poses);
   jointView.update(view);
+  sandbox.update();
   frameWorld();
   camera.update(seconds);
   renderModules(rendered);
@@ -627,6 +653,7 @@ exposeInspection({
   driving,
   frameTimes,
   jointView,
+  sandbox,
   stats: () => latestStats,
   qualityName: () => quality.name,
   recording: () => recorded,

@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/src/joint_message.h"
 
+#include <cmath>
 #include <optional>
 
 #include "jostle/physics/joint_fields.h"
 #include "jostle/physics/limits.h"
 #include "jostle/scenes/joint_definition.h"
+#include "jostle/scenes/joint_form.h"
 #include "jostle/v1/scene.pb.h"
 #include "scenes/src/body_name.h"
 #include "scenes/src/message_fields.h"
@@ -56,6 +58,17 @@ Transform local(const SceneBody& body, const Transform& world) {
     const Quat turn = unit(pose.rotation);
     return {inverse_rotate(turn, world.position - pose.position),
             unit(conjugate(turn) * world.rotation)};
+}
+
+double rounded(double value, double units) {
+    return std::round(value * units) / units + 0.0;  // no negative zero
+}
+
+Transform rounded(const Transform& frame) {
+    constexpr double meters = 65536, turns = 16384;
+    const auto [p, q] = frame;
+    return {{rounded(p.x, meters), rounded(p.y, meters), rounded(p.z, meters)},
+            {rounded(q.x, turns), rounded(q.y, turns), rounded(q.z, turns), rounded(q.w, turns)}};
 }
 
 void write(v1::JointFrame& out, const Transform& frame) {
@@ -149,6 +162,12 @@ void read_joint(FieldReader& in, SceneDescription& scene, const std::string& pat
         }
         scene.joints.push_back(copy);
     }
+}
+
+void write_joint_form(v1::Joint& out, const JointDef& def) {
+    write(*out.mutable_frame_a(), rounded(def.frame_a));
+    write(*out.mutable_frame_b(), rounded(def.frame_b));
+    write_kind(out, def.kind);
 }
 
 void write_joint(v1::Joint& out, const SceneDescription& scene, const SceneJoint& joint) {

@@ -295,6 +295,7 @@ Result<ClientMessage> decode(const v1::Hello& hello) {
                                .datagrams = hello.datagrams(),
                                .resumable = hello.resumable(),
                                .resume = std::move(resume),
+                               .joints = hello.joints(),
                                .players = hello.players(),
                                .attributes = hello.attributes(),
                                .topics = {hello.topics().begin(), hello.topics().end()},

@@ -111,6 +111,13 @@ std::string encode_welcome(const Welcome& from) {
     welcome.set_state_preserved(from.state_preserved);
     welcome.set_last_sequence(from.last_sequence);
     welcome.set_resume_timeout_seconds(from.resume_timeout_seconds);
+    welcome.set_planar(from.planar);
+    if (from.view) {
+        v1::View& view = *welcome.mutable_view();
+        write_vector(*view.mutable_eye(), from.view->eye);
+        write_vector(*view.mutable_target(), from.view->target);
+        view.set_field_of_view(from.view->field_of_view);
+    }
     welcome.set_codec(static_cast<std::uint32_t>(from.codec));
     if (from.datagrams) {
         v1::DatagramCredentials& datagrams = *welcome.mutable_datagrams();

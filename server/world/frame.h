@@ -16,6 +16,7 @@
 #include "server/util/clock.h"
 #include "server/world/attributes.h"
 #include "server/world/command.h"
+#include "server/world/joint_list.h"
 #include "server/world/module_channels.h"
 #include "server/world/players.h"
 #include "server/world/pose_grid.h"
@@ -78,6 +79,8 @@ struct Frame {
     std::shared_ptr<const PointObjects> points;
     // Of this tick, while a client predicts; null: no entity is controlled.
     std::shared_ptr<const std::vector<ControlledEntityState>> controlled_entities;
+    // While a client subscribes to joints; null: none does.
+    std::shared_ptr<const JointList> joint_list;
     RoomView room;  // null: the world is no room
     // Never null in the frames of a hosted world. Equal pointers mean equal content.
     PlayerListPtr players;

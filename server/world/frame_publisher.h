@@ -23,6 +23,7 @@ struct FrameListeners {
     std::atomic<int> motion{0};  // velocities of bodies (module_channels.h)
     std::atomic<int> points{0};  // point objects of modules
     std::atomic<int> controlled_entities{0};
+    std::atomic<int> joints{0};  // the list of joints
 };
 
 class FramePublisher {

@@ -373,6 +373,9 @@ void HostedWorld::copy_into(Frame& frame) {
             frame.controlled_entities = std::make_shared<const std::vector<ControlledEntityState>>(
                 std::move(controlled_entities));
     }
+    if (publishes_joints_)
+        frame.joint_list =
+            joints_.list(world, [this](BodyId body) { return state_.entities.find_living(body); });
     if (room_) frame.room = room_->view();
     frame.contacts = world.profile().touching;
     frame.step_ms = world.profile().step_ms;

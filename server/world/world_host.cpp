@@ -464,6 +464,7 @@ bool WorldHost::step(bool allowed) {
     world_.publish_motion(listeners.motion.load() > 0);
     world_.publish_points(listeners.points.load() > 0 || queries_.is_requested(copy_points));
     world_.publish_controlled_entities(listeners.controlled_entities.load() > 0);
+    world_.publish_joints(listeners.joints.load() > 0);
     world_.resume_stepping();
     // interrupt_overloaded() pauses before it stops the step, so resuming here just after it still
     // sees the pause. The journal already contains a step for this tick.

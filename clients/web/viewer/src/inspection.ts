@@ -9,6 +9,7 @@ import type { Driving } from './interaction/driving';
 import type { ModuleView } from './module_renderers/module_view';
 import type { FrameTimes } from './ui/frame_times';
 import type { PointObjectsView } from './point_objects/point_objects_view';
+import type { JointView } from './scene/joint_view';
 import type { SceneView } from './scene/scene_view';
 import type { UnitKind } from './scene/shape_parts';
 import { heightAt } from './scene/water';
@@ -21,6 +22,7 @@ export interface Inspected {
   readonly camera: Camera;
   readonly driving: Driving;
   readonly frameTimes: FrameTimes;
+  readonly jointView: JointView;
   stats(): WorldStats | undefined;
   qualityName(): string;
   recording(): RecordedStream | undefined;
@@ -29,7 +31,7 @@ export interface Inspected {
 }
 
 export function exposeInspection(inspected: Inspected): void {
-  const { connection, view, moduleView, pointObjectsView, camera, driving, frameTimes } = inspected;
+  const { connection, view, moduleView, pointObjectsView, camera, driving, frameTimes, jointView } = inspected;
   const { stats, qualityName, recording, prediction, controllableEntities } = inspected;
   /** Position of a point of the world on the page, in pixels. */
   const toScreen = (x: number, y: number, z: number) => {
@@ -56,6 +58,10 @@ export function exposeInspection(inspected: Inspected): void {
     pointsOf: (index: number) => {
       const object = [...connection.points.objects.values()][index];
       return object?.hasPoints ? [...object.positions.subarray(0, 3 * object.count)] : undefined;
+    },
+    /** Number of drawn joints. */
+    get jointCount() {
+      return jointView.count;
     },
     get snapshots() {
       return connection.snapshots;

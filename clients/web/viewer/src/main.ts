@@ -16,6 +16,7 @@ import {
   type ConnectionState,
 } from '@jostle/client';
 import type { Entity, WorldStats } from '@jostle/client/gen/play_pb';
+import type { View } from '@jostle/client/gen/scene_pb';
 import type { PredictionController } from '@jostle/client/prediction';
 import * as THREE from 'three';
 import { Camera } from './camera/camera';
@@ -37,6 +38,7 @@ import { Toasts } from './panels/toasts';
 import { DebugView } from './scene/debug_view';
 import { Environment, PALETTES } from './scene/environment';
 import { HitMarks } from './scene/hit_marks';
+import { JointView } from './scene/joint_view';
 import { InputMarks } from './scene/input_marks';
 import { AutomaticQuality, LOW_QUALITY, QUALITY_LEVELS, type QualityLevel } from './scene/quality';
 import { SceneView } from './scene/scene_view';
@@ -136,6 +138,7 @@ const listener: ConnectionListener = {
     statsPanel?.update(stats);
     banner.setStats(recorded ? undefined : stats);
   },
+  joints: (joints) => jointView.setJoints(joints),
   worldEvents: (events) => eventsPanel?.addEvents(events, performance.now() + renderDelayMs()),
   inputRejected: (result) => toasts.show(result.message || 'the server rejected the input'),
   notice: (text) => toasts.show(text),
@@ -150,6 +153,7 @@ const connection = new Connection({
   token,
   channelKinds,
   areaOfInterest: parameters.areaOfInterest,
+  joints: true,
 });
 
 function onPlaying(): void {
@@ -254,6 +258,7 @@ function selectTool(tool: Tool): void {
 const driverPanel = new DriverPanel(byId('driver'), takeControl, () => driving.stopControlling());
 const debugView = new DebugView(view.scene);
 const hitMarks = new HitMarks(view.scene);
+const jointView = new JointView(view.scene);
 const moduleView = new ModuleView(view.scene);
 const pointObjectsView = new PointObjectsView(view.scene);
 const scaleBar = new ScaleBar(byId('scale'));
@@ -459,8 +464,21 @@ function frameWorld(): void {
   const world = connection.welcome?.worldId;
   if (connection.state !== 'playing' || world === framedWorld || poses.count === 0) return;
   framedWorld = world;
-  camera.frame(view.extent());
+  camera.setPlanar(connection.welcome?.planar ?? false);
+  if (!showSceneView(connection.welcome?.view)) camera.frame(view.extent());
   liftAboveGround();
+}
+
+/** Returns whether the scene defines a view. Its numbers are untrusted. */
+function showSceneView(sceneView: View | undefined): boolean {
+  const { eye, target, fieldOfView = 0 } = sceneView ?? {};
+  if (!eye || !target) return false;
+  const [from, to] = [new THREE.Vector3(eye.x, eye.y, eye.z), new THREE.Vector3(target.x, target.y, target.z)];
+  const distance = from.distanceTo(to);
+  if (!(distance > 1e-3 && distance < 1e6)) return false;
+  const degrees = (fieldOfView * 180) / Math.PI;
+  camera.setView(from, to, degrees >= 5 && degrees <= 150 ? degrees : 0);
+  return true;
 }
 
 function fitView(): void {
@@ -561,6 +579,7 @@ function updateFrame(seconds: number): void {
   const rendered = renderedChannels();
   colorBodies(rendered);
   view.update(poses);
+  jointView.update(view);
   frameWorld();
   camera.update(seconds);
   renderModules(rendered);
@@ -607,6 +626,7 @@ exposeInspection({
   camera,
   driving,
   frameTimes,
+  jointView,
   stats: () => latestStats,
   qualityName: () => quality.name,
   recording: () => recorded,

@@ -248,7 +248,7 @@ struct Apply {
                        ? refused(ErrorCode::permission_denied, joint.error().message)
                        : from_solver(joint.error());
         affected.joint = *joint;
-        state.joint_owners.add(*joint, client);
+        if (client != scene_client) state.joint_owners.add(*joint, client);
         record({.kind = UndoStep::Kind::joint_created, .joint = *joint});
         return {};
     }

@@ -68,8 +68,8 @@ const std::shared_ptr<const JointList>& JointRegistry::list(const physics::World
             continue;
         }
         described++;
-        slot.known = true;
         const std::uint32_t number = id_of(id);
+        slot.known = true;
         physics::JointDef def = world.joint(id)->def;
         if (!has_shape(def.kind)) continue;
         const bool of_world = is_null(def.body_a);

@@ -128,7 +128,8 @@ export class Sandbox {
         this.plotsPanel = plots;
         plots.select(this.selection.current);
         this.selection.onChange((selected) => plots.select(selected));
-        return { update: () => plots.update() };
+        // The statistics would leave both panels too little height.
+        return { opened: () => panels.close('stats'), update: () => plots.update() };
       },
     });
     panels.register({

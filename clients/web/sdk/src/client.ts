@@ -3,6 +3,7 @@
 
 import { nowUs } from './clock/clock_sync.js';
 import { Connection, type AreaOfInterest, type Precision, type ConnectionListener, type ConnectionState, type Input, type Socket } from './connection/connection.js';
+import type { ListedJoint } from './connection/joint_list.js';
 import type { MessageInitShape } from '@bufbuild/protobuf';
 import type { AttributeTarget, AttributeValue, WorldData } from './connection/world_data.js';
 import { AttributeVisibility, type Entity, type RoomInputSchema } from './gen/jostle/v1/play_pb.js';
@@ -36,6 +37,8 @@ export interface ConnectOptions {
   readonly areaOfInterest?: AreaOfInterest;
   /** Precision of the poses for this client; default: that of the world. */
   readonly precision?: Precision;
+  /** Whether to receive joints (Client.joints); default: false. */
+  readonly joints?: boolean;
   /** Whether to receive events (ConnectionListener.worldEvents); default: false. */
   readonly events?: boolean;
   /** Display name, at most 32 bytes; default: "browser". */
@@ -116,7 +119,7 @@ export class Client {
 
   /** Use connect(). */
   constructor(options: ConnectOptions) {
-    const { url, token, joinCode, channels = [], areaOfInterest, precision, events = false, prediction = false, listener = {} } = options;
+    const { url, token, joinCode, channels = [], areaOfInterest, precision, joints = false, events = false, prediction = false, listener = {} } = options;
     this.listener = listener;
     const channelKinds = prediction === false ? channels : [...channels, MOTION_CHANNEL];
     const forward: ConnectionListener = {
@@ -129,13 +132,14 @@ export class Client {
       worldEvents: (worldEvents) => listener.worldEvents?.(worldEvents),
       inputRejected: (result) => listener.inputRejected?.(result),
       notice: (text) => listener.notice?.(text),
+      joints: (list) => listener.joints?.(list),
       userMessage: (message) => listener.userMessage?.(message),
       playerEvent: (event) => listener.playerEvent?.(event),
       dataChanged: (data) => listener.dataChanged?.(data),
     };
     const { name, color, players, attributes, topics } = options;
     this.connection = new Connection({
-      url, listener: forward, openSocket: options.openSocket, token, joinCode, channelKinds, areaOfInterest, precision, name, color, players, attributes, topics,
+      url, listener: forward, openSocket: options.openSocket, token, joinCode, channelKinds, areaOfInterest, precision, joints, name, color, players, attributes, topics,
     });
     this.connection.setEventsEnabled(events);
   }
@@ -186,6 +190,11 @@ export class Client {
   /** All entities of the world by id: shapes, names, masses and owners. Poses are separate: sample(). */
   get entities(): ReadonlyMap<number, Entity> {
     return this.connection.entities;
+  }
+
+  /** Joints of the world by id, if ConnectOptions.joints is set. */
+  get joints(): ReadonlyMap<number, ListedJoint> {
+    return this.connection.joints.joints;
   }
 
   /**

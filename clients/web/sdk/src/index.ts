@@ -29,6 +29,7 @@ export {
   type PredictionListener,
   type Socket,
 } from './connection/connection.js';
+export { JointList, type ListedJoint } from './connection/joint_list.js';
 export { WorldData, type AttributeTarget, type AttributeValue } from './connection/world_data.js';
 export { FrameBuffer, POSE_FLOATS, type PoseFrame } from './interpolation/frame_buffer.js';
 export { PointObjects, PointObjectView } from './interpolation/point_objects.js';

@@ -1,7 +1,7 @@
 // Tests the viewer in headless Chromium against a real server: joining, dragging, throwing, shapes of
 // every kind, module renderers, picking by the server, the debug view, events, prediction over a slow
 // network, recordings, resuming after a server failure, dragging and cutting a rope, controlling a car, a
-// character and a boat, and the acceptance of its layout; and the example of the SDK.
+// character and a boat, the sandbox tools, and the acceptance of its layout; and the example of the SDK.
 // Usage: node viewer/e2e/viewer.mjs SERVER_BINARY [--screenshot FILE]
 // FILE shows the sandbox, FILE-shapes the debug view of a world of shapes. The exit status is 1 if a
 // test fails.
@@ -19,6 +19,7 @@ import { testMonitor } from './monitor.mjs';
 import { testPrediction } from './prediction.mjs';
 import { testRecording } from './recording.mjs';
 import { testResume } from './resume.mjs';
+import { testSandbox } from './sandbox.mjs';
 import { testSdkExample } from './sdk_example.mjs';
 import { shapesScene } from './shapes_scene.mjs';
 
@@ -240,6 +241,7 @@ try {
   await testMonitor({ browser, page, url: `http://127.0.0.1:${ports.http}`, until, expect, takeScreenshot: screenshot?.replace(/(\.\w+)?$/, '-monitor$1') });
 
   const nameOf = screenshot && ((what) => screenshot.replace(/(\.\w+)?$/, `-${what}$1`));
+  await testSandbox({ browser, url: `http://127.0.0.1:${ports.http}`, post, until, expect, screenshot: nameOf });
   // Takes four minutes and measures times: JOSTLE_ACCEPTANCE=1 on a machine that does nothing else.
   if (process.env.JOSTLE_ACCEPTANCE) await testAcceptance({ browser, url: `http://127.0.0.1:${ports.http}`, post, until, expect, screenshot: nameOf });
 

@@ -9,6 +9,8 @@ import type { Driving } from './interaction/driving';
 import type { ModuleView } from './module_renderers/module_view';
 import type { FrameTimes } from './ui/frame_times';
 import type { PointObjectsView } from './point_objects/point_objects_view';
+import type { JointView } from './scene/joint_view';
+import type { Sandbox } from './sandbox/sandbox';
 import type { SceneView } from './scene/scene_view';
 import type { UnitKind } from './scene/shape_parts';
 import { heightAt } from './scene/water';
@@ -21,6 +23,8 @@ export interface Inspected {
   readonly camera: Camera;
   readonly driving: Driving;
   readonly frameTimes: FrameTimes;
+  readonly jointView: JointView;
+  readonly sandbox: Sandbox;
   stats(): WorldStats | undefined;
   qualityName(): string;
   recording(): RecordedStream | undefined;
@@ -29,7 +33,7 @@ export interface Inspected {
 }
 
 export function exposeInspection(inspected: Inspected): void {
-  const { connection, view, moduleView, pointObjectsView, camera, driving, frameTimes } = inspected;
+  const { connection, view, moduleView, pointObjectsView, camera, driving, frameTimes, jointView, sandbox } = inspected;
   const { stats, qualityName, recording, prediction, controllableEntities } = inspected;
   /** Position of a point of the world on the page, in pixels. */
   const toScreen = (x: number, y: number, z: number) => {
@@ -56,6 +60,25 @@ export function exposeInspection(inspected: Inspected): void {
     pointsOf: (index: number) => {
       const object = [...connection.points.objects.values()][index];
       return object?.hasPoints ? [...object.positions.subarray(0, 3 * object.count)] : undefined;
+    },
+    /** Number of drawn joints. */
+    get jointCount() {
+      return jointView.count;
+    },
+    /** Ids of the joints of the world. */
+    jointIds: () => [...connection.joints.joints.keys()],
+    /** The selected body or joint; undefined: none. */
+    get selected() {
+      return sandbox.selection.current;
+    },
+    /** The inspected body or joint as the server sent it last; undefined: none. */
+    get inspected() {
+      const response = sandbox.newestInspection;
+      return response?.body ?? response?.joint;
+    },
+    /** Number of vertices of the marks of the selection. */
+    get selectionVertexCount() {
+      return sandbox.selectionView.lines.count;
     },
     get snapshots() {
       return connection.snapshots;

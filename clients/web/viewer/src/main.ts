@@ -16,6 +16,7 @@ import {
   type ConnectionState,
 } from '@jostle/client';
 import type { Entity, WorldStats } from '@jostle/client/gen/play_pb';
+import type { View } from '@jostle/client/gen/scene_pb';
 import type { PredictionController } from '@jostle/client/prediction';
 import * as THREE from 'three';
 import { Camera } from './camera/camera';
@@ -35,8 +36,10 @@ import { StatusBanner } from './panels/status_banner';
 import { TimelinePanel } from './panels/timeline';
 import { Toasts } from './panels/toasts';
 import { DebugView } from './scene/debug_view';
+import { Sandbox } from './sandbox/sandbox';
 import { Environment, PALETTES } from './scene/environment';
 import { HitMarks } from './scene/hit_marks';
+import { JointView } from './scene/joint_view';
 import { InputMarks } from './scene/input_marks';
 import { AutomaticQuality, LOW_QUALITY, QUALITY_LEVELS, type QualityLevel } from './scene/quality';
 import { SceneView } from './scene/scene_view';
@@ -130,11 +133,17 @@ const listener: ConnectionListener = {
     controllable = recorded ? [] : [...entities.values()].filter((entity) => entity.controllable);
     entitiesChanged = true;
     if (!entities.has(driving.entity)) driving.reset();
+    sandbox.onWorldChanged();
   },
   stats: (stats) => {
     latestStats = stats;
     statsPanel?.update(stats);
+    sandbox.onStats(stats);
     banner.setStats(recorded ? undefined : stats);
+  },
+  joints: (joints) => {
+    jointView.setJoints(joints);
+    sandbox.onWorldChanged();
   },
   worldEvents: (events) => eventsPanel?.addEvents(events, performance.now() + renderDelayMs()),
   inputRejected: (result) => toasts.show(result.message || 'the server rejected the input'),
@@ -150,6 +159,9 @@ const connection = new Connection({
   token,
   channelKinds,
   areaOfInterest: parameters.areaOfInterest,
+  joints: true,
+  players: true,
+  attributes: true,
 });
 
 function onPlaying(): void {
@@ -206,6 +218,19 @@ let entitiesChanged = false;
 let touchUsed = matchMedia('(pointer: coarse)').matches;
 addEventListener('pointerdown', ({ pointerType }) => (touchUsed = pointerType === 'touch'), { capture: true });
 
+const panels = new Panels({ left: byId('dock-left'), right: byId('dock-right'), buttons: byId('panel-buttons') }, updateLayout);
+const commands = new Commands();
+const sandbox = new Sandbox({
+  connection,
+  queries,
+  view,
+  panels,
+  commands,
+  hint: byId('tool-hint'),
+  isPlanar: () => camera.planar,
+  focus: focusBody,
+  stats: () => latestStats,
+});
 const tools = new Tools({
   canvas,
   camera,
@@ -223,6 +248,8 @@ const tools = new Tools({
   onExplosion: (x, y, z, radius) => moduleView.blasts.add(x, y, z, radius, performance.now()),
   onSpawn: (position, radius) => inputMarks.spawned(position, radius, performance.now()),
   onMenu: openBodyMenu,
+  spawnOptions: sandbox.spawnOptions,
+  onSandboxClick: (tool, hit, ray) => (tool === 'joint' ? hit && sandbox.jointTool.click(hit) : sandbox.inspectAt(hit, ray)),
   onFocus: (hit) => hit && focusBody(hit.entity),
 });
 
@@ -236,6 +263,7 @@ function focusBody(entity: number): void {
 function openBodyMenu(hit: Pick | undefined, x: number, y: number): void {
   const entity = hit && connection.entities.get(hit.entity);
   const items: MenuItem[] = [];
+  if (entity) items.push(...sandbox.menuItems(entity.id, tools.enabled));
   if (entity && entity.mass > 0) items.push({ label: 'Focus', run: () => focusBody(entity.id) });
   if (entity?.controllable && tools.enabled) items.push({ label: 'Drive', run: () => takeControl(entity.id) });
   if (entity && tools.enabled && entity.owner !== 0 && entity.owner === connection.welcome?.clientId)
@@ -247,6 +275,7 @@ function openBodyMenu(hit: Pick | undefined, x: number, y: number): void {
 const toolbar = new Toolbar<Tool>(byId('tools'), TOOLS, selectTool);
 function selectTool(tool: Tool): void {
   tools.tool = tool;
+  sandbox.jointTool.setSelected(tool === 'joint');
   toolbar.show(tool);
   canvas.style.cursor = tool === 'drag' ? '' : 'crosshair';
 }
@@ -254,6 +283,7 @@ function selectTool(tool: Tool): void {
 const driverPanel = new DriverPanel(byId('driver'), takeControl, () => driving.stopControlling());
 const debugView = new DebugView(view.scene);
 const hitMarks = new HitMarks(view.scene);
+const jointView = new JointView(view.scene);
 const moduleView = new ModuleView(view.scene);
 const pointObjectsView = new PointObjectsView(view.scene);
 const scaleBar = new ScaleBar(byId('scale'));
@@ -265,8 +295,6 @@ let statsPanel: StatsPanel | undefined;
 let debugPanel: DebugPanel | undefined;
 let eventsPanel: EventsPanel | undefined;
 
-const panels = new Panels({ left: byId('dock-left'), right: byId('dock-right'), buttons: byId('panel-buttons') }, updateLayout);
-const commands = new Commands();
 const banner = new StatusBanner({
   element: byId('banner'),
   world: () => connection.welcome?.worldId ?? '',
@@ -341,6 +369,7 @@ panels.register({
     return eventsPanel;
   },
 });
+sandbox.register();
 panels.register({
   id: 'help',
   title: 'Help',
@@ -399,6 +428,7 @@ addEventListener('blur', () => driving.blur());
 function escape(): void {
   if (contextMenu.close()) return canvas.focus();
   if (driving.entity !== 0) return driving.stopControlling();
+  if (sandbox.cancel()) return;
   panels.closeNewest();
 }
 
@@ -459,8 +489,21 @@ function frameWorld(): void {
   const world = connection.welcome?.worldId;
   if (connection.state !== 'playing' || world === framedWorld || poses.count === 0) return;
   framedWorld = world;
-  camera.frame(view.extent());
+  camera.setPlanar(connection.welcome?.planar ?? false);
+  if (!showSceneView(connection.welcome?.view)) camera.frame(view.extent());
   liftAboveGround();
+}
+
+/** Returns whether the scene defines a view. Its numbers are untrusted. */
+function showSceneView(sceneView: View | undefined): boolean {
+  const { eye, target, fieldOfView = 0 } = sceneView ?? {};
+  if (!eye || !target) return false;
+  const [from, to] = [new THREE.Vector3(eye.x, eye.y, eye.z), new THREE.Vector3(target.x, target.y, target.z)];
+  const distance = from.distanceTo(to);
+  if (!(distance > 1e-3 && distance < 1e6)) return false;
+  const degrees = (fieldOfView * 180) / Math.PI;
+  camera.setView(from, to, degrees >= 5 && degrees <= 150 ? degrees : 0);
+  return true;
 }
 
 function fitView(): void {
@@ -561,6 +604,8 @@ function updateFrame(seconds: number): void {
   const rendered = renderedChannels();
   colorBodies(rendered);
   view.update(poses);
+  jointView.update(view);
+  sandbox.update();
   frameWorld();
   camera.update(seconds);
   renderModules(rendered);
@@ -607,6 +652,8 @@ exposeInspection({
   camera,
   driving,
   frameTimes,
+  jointView,
+  sandbox,
   stats: () => latestStats,
   qualityName: () => quality.name,
   recording: () => recorded,

@@ -20,6 +20,7 @@ import { FrameBuffer, type PoseFrame } from '../interpolation/frame_buffer.js';
 import { PointObjects } from '../interpolation/point_objects.js';
 import { InputClock } from '../clock/input_clock.js';
 import { InputQueue } from './input_queue.js';
+import { JointList } from './joint_list.js';
 import { LargeShapes } from './large_shapes.js';
 import { RenderClock } from '../clock/render_clock.js';
 import { renderedTime } from '../interpolation/rendered_time.js';
@@ -41,6 +42,7 @@ import {
   type Notice,
   type PlayerEvent,
   type EntityUpdate,
+  type JointUpdate,
   type ServerMessage,
   type Snapshot,
   type UserMessage,
@@ -94,6 +96,8 @@ export interface ConnectionListener {
   inputRejected(result: InputResult): void;
   /** A message from the server for the user. */
   notice(text: string): void;
+  /** Joints were added or removed; only with ConnectionOptions.joints. */
+  joints?(joints: JointList['joints']): void;
   /** A user message of a topic that the client subscribed to, in order. */
   userMessage?(message: UserMessage): void;
   /** A player joined, left, was renamed and so on; Connection.data is up to date. */
@@ -150,6 +154,8 @@ export interface ConnectionOptions {
   readonly areaOfInterest?: AreaOfInterest | undefined;
   /** Default: the precision of the world. */
   readonly precision?: Precision | undefined;
+  /** Receives the joints of the world; default: false. */
+  readonly joints?: boolean | undefined;
   /** Display name, at most 32 bytes; default: "browser". */
   readonly name?: string | undefined;
   /** 0xRRGGBB, of the player; default: none. */
@@ -171,6 +177,8 @@ export class Connection {
   readonly renderClock = new RenderClock();
   readonly inputClock = new InputClock();
   readonly entities = new Map<number, Entity>();
+  /** Joints of the world, if requested. */
+  readonly joints = new JointList();
   /** Players and attributes that the client subscribed to. */
   readonly data = new WorldData();
   welcome: Welcome | undefined; // undefined: before the first connection
@@ -216,6 +224,7 @@ export class Connection {
   private readonly channelKinds: readonly string[];
   private readonly areaOfInterest: AreaOfInterest | undefined;
   private readonly precision: Precision | undefined;
+  private readonly wantsJoints: boolean;
   private readonly identity: { readonly name: string; readonly color?: number };
   private readonly subscriptions: { readonly players: boolean; readonly attributes: boolean; readonly topics: string[] };
 
@@ -228,6 +237,7 @@ export class Connection {
     this.channelKinds = options.channelKinds ?? [];
     this.areaOfInterest = options.areaOfInterest;
     this.precision = options.precision;
+    this.wantsJoints = options.joints ?? false;
     this.identity = { name: options.name ?? 'browser', ...(options.color === undefined ? {} : { color: options.color }) };
     this.subscriptions = { players: options.players ?? false, attributes: options.attributes ?? false, topics: [...(options.topics ?? [])] };
   }
@@ -356,6 +366,7 @@ export class Connection {
       const hello = { protocol: PROTOCOL, world, ...this.identity, ...this.subscriptions, events, token, joinCode, channels, codec: NEWEST_CODEC,
         maxKbps: this.areaOfInterest?.maxKbps ?? 0,
         packedEntities: true,
+        joints: this.wantsJoints,
         ...(this.areaOfInterest ? { interest: this.interest(this.areaOfInterest) } : {}),
         ...(this.precision ? { precision: { farFactor: 1, ...this.precision } } : {}),
         resumable: true,
@@ -475,6 +486,8 @@ export class Connection {
     this.largeShapes.clear();
     this.data.clear();
     this.controlledEntity.reset();
+    this.joints.clear();
+    if (this.wantsJoints) this.listener.joints?.(this.joints.joints);
   }
 
   private onEntityList(change: EntityUpdate): void {
@@ -517,6 +530,7 @@ export class Connection {
     }
     this.decode(s);
     if (!this.points.apply(s)) this.decodeErrors++;
+    if (s.joints) this.onJoints(s.joints);
     // These are valid even if the poses could not be decoded.
     for (const result of s.clientUpdate?.results ?? [])
       if (this.inputs.onResult(result.sequence) && result.code !== InputCode.APPLIED) this.listener.inputRejected(result);
@@ -525,6 +539,11 @@ export class Connection {
     this.onData(s);
     // An ack that waits for the next batch would inflate the measured latency.
     if (this.inputs.length === 0) this.sendAckIfDue();
+  }
+
+  private onJoints(update: JointUpdate): void {
+    if (this.joints.apply(update) !== undefined) this.decodeErrors++;
+    else this.listener.joints?.(this.joints.joints);
   }
 
   private onData(s: Snapshot): void {

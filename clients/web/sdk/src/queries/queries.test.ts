@@ -34,6 +34,16 @@ it('does not repeat unsupported queries until the world changes', async () => {
   expect(requests.length).toBe(2);
 });
 
+it('inspects again after a body that does not exist', async () => {
+  const { requests, post } = server([404, '{"code":"NOT_FOUND","message":"entity 9 does not exist"}'], [200, '{"tick":3,"body":{"entity":4,"mass":2}}'], [404, 'There is no such path']);
+  const queries = new Queries(() => 'w1', post);
+  expect(await queries.inspect({ target: { case: 'entity', value: 9 } })).toBeUndefined();
+  expect((await queries.inspect({ target: { case: 'entity', value: 4 } }))!.body!.mass).toBe(2);
+  expect(requests[0]).toEqual(['api/query/Inspect', '{"world":"w1","entity":9}']);
+  for (let k = 0; k < 3; k++) expect(await queries.inspect({ target: { case: 'joint', value: 1 } })).toBeUndefined();
+  expect(requests.length).toBe(3);
+});
+
 it('retries after a busy server', async () => {
   const { requests, post } = server([503, 'busy'], [200, '{"tick":1}']);
   const queries = new Queries(() => 'w1', post);

@@ -189,7 +189,8 @@ physics::Result<JointDefinition> joint_from_message(const v1::Joint& m, const st
     FieldReader in;
     JointDefinition out;
     if (!m.name().empty() || !m.body_a().empty() || !m.body_b().empty() || m.has_repeat())
-        in.report_error(path, "has a name, body_a, body_b or repeat; only joints of scenes have them");
+        in.report_error(path,
+                        "has a name, body_a, body_b or repeat; only joints of scenes have them");
     if (m.has_frame() && (m.has_frame_a() || m.has_frame_b()))
         in.report_error(
             path + ".frame",

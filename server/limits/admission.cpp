@@ -166,9 +166,7 @@ struct Check {
         return c.gravity_scale ? check_number("edit.gravity_scale", *c.gravity_scale, -10, 10)
                                : Status();
     }
-    Status operator()(const CloneCommand& c) const {
-        return check_point("clone.offset", c.offset);
-    }
+    Status operator()(const CloneCommand& c) const { return check_point("clone.offset", c.offset); }
     Status operator()(const CreateJointCommand& c) const { return check_joint(c); }
     Status operator()(const DeleteJointCommand&) const { return {}; }
     Status operator()(const UndoCommand&) const { return {}; }
@@ -188,19 +186,19 @@ private:
         if (const auto* ball = std::get_if<physics::BallJoint>(&kind))
             return check_spring("create_joint.joint.ball.drive.spring.hertz", ball->drive.spring);
         if (const auto* hinge = std::get_if<physics::HingeJoint>(&kind)) {
-            if (Status s = check_motor(hinge->motor.enabled, hinge->motor.speed,
-                                       hinge->motor.max_torque,
-                                       "create_joint.joint.hinge.motor_speed",
-                                       "create_joint.joint.hinge.motor_max_torque");
+            if (Status s =
+                    check_motor(hinge->motor.enabled, hinge->motor.speed, hinge->motor.max_torque,
+                                "create_joint.joint.hinge.motor_speed",
+                                "create_joint.joint.hinge.motor_max_torque");
                 !s.ok())
                 return s;
             return check_spring("create_joint.joint.hinge.spring.hertz", hinge->spring);
         }
         if (const auto* slider = std::get_if<physics::SliderJoint>(&kind)) {
-            if (Status s = check_motor(slider->motor.enabled, slider->motor.speed,
-                                       slider->motor.max_force,
-                                       "create_joint.joint.slider.motor_speed",
-                                       "create_joint.joint.slider.motor_max_force");
+            if (Status s =
+                    check_motor(slider->motor.enabled, slider->motor.speed, slider->motor.max_force,
+                                "create_joint.joint.slider.motor_speed",
+                                "create_joint.joint.slider.motor_max_force");
                 !s.ok())
                 return s;
             return check_spring("create_joint.joint.slider.spring.hertz", slider->spring);
@@ -226,12 +224,10 @@ private:
             if (Status s = check_point("create_joint.joint.frame.position", c.frame->position);
                 !s.ok())
                 return s;
-        if (Status s =
-                check_point("create_joint.joint.frame_a.position", c.joint.frame_a.position);
+        if (Status s = check_point("create_joint.joint.frame_a.position", c.joint.frame_a.position);
             !s.ok())
             return s;
-        if (Status s =
-                check_point("create_joint.joint.frame_b.position", c.joint.frame_b.position);
+        if (Status s = check_point("create_joint.joint.frame_b.position", c.joint.frame_b.position);
             !s.ok())
             return s;
         return check_joint_kind(c.joint.kind);

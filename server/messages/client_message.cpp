@@ -140,7 +140,8 @@ Result<Action> action_of(const v1::EditInput& edit) {
 }
 
 Result<Action> action_of(const v1::CreateJointInput& input) {
-    if (input.joint().path().points_size() > 0 || input.joint().solver() != v1::JOINT_SOLVER_UNSPECIFIED)
+    if (input.joint().path().points_size() > 0 ||
+        input.joint().solver() != v1::JOINT_SOLVER_UNSPECIFIED)
         return invalid_argument(
             "create_joint.joint has a solver or is a path; allowed are ball, hinge, slider, fixed "
             "and distance joints without a solver");

@@ -20,8 +20,8 @@ using physics::Vec3;
 
 // See docs/design/format_changes.md. Version 2 has no rewinds, version 3 no undos, version 4 no
 // targets on ropes and cloths, version 5 no players, attributes and messages, version 6 no room
-// commands, version 7 no edits, clones, joints and undos of clients. Segments are written in the oldest version that can hold them, which older servers
-// read.
+// commands, version 7 no edits, clones, joints and undos of clients. Segments are written in the
+// oldest version that can hold them, which older servers read.
 constexpr std::uint64_t version_of_rewinds = 3, version_of_undos = 4, version_of_deformables = 5,
                         version_of_players = 6, version_of_rooms = 7, version_of_edits = 8;
 constexpr std::uint64_t journal_version = version_of_edits, oldest_version = 2;

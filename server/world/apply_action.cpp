@@ -199,8 +199,8 @@ struct Apply {
             BodyAndShapes def = definition_of(state.world, state.entities.find(id)->body);
             def.body.pose.position += c.offset;
             def.body.user_data = 0;
-            if (Status s = check_body_limits(static_cast<int>(group.entities.size()),
-                                             def.body.pose, def.shapes);
+            if (Status s = check_body_limits(static_cast<int>(group.entities.size()), def.body.pose,
+                                             def.shapes);
                 !s.ok())
                 return s;
             bodies.push_back(std::move(def));
@@ -213,8 +213,8 @@ struct Apply {
             const Entity& original = *state.entities.find(group.entities[i]);
             copy_of[original.body] = (*copies)[i];
             const EntityDescription description = *original.description;
-            const EntityId id = state.entities.add(state.world, (*copies)[i], client,
-                                                   description.color, {});
+            const EntityId id =
+                state.entities.add(state.world, (*copies)[i], client, description.color, {});
             if (description.frozen) state.entities.update(state.world, id, description.color, true);
             state.ownership.add(client, id);
             step.entities.push_back(id);
@@ -550,19 +550,17 @@ private:
                 return refusal(s);
         if ((fields & edit_frozen) != 0 && frozen) {
             state.grabs.release_body(world, body);
-            if (Status s = world.set_type(body, BodyType::static_body); !s.ok())
-                return refusal(s);
+            if (Status s = world.set_type(body, BodyType::static_body); !s.ok()) return refusal(s);
         }
         return {};
     }
 
     Error too_many_joints() const {
-        return refused(ErrorCode::resource_exhausted,
-                       "the client owns " +
-                           std::to_string(state.joint_owners.count(state.world, client)) +
-                           " joints; client.joints_owned_max allows " +
-                           std::to_string(state.limits.joints_owned_max) +
-                           "; delete a joint first");
+        return refused(
+            ErrorCode::resource_exhausted,
+            "the client owns " + std::to_string(state.joint_owners.count(state.world, client)) +
+                " joints; client.joints_owned_max allows " +
+                std::to_string(state.limits.joints_owned_max) + "; delete a joint first");
     }
 
     Status check_joint_limits(const JointDef& def) const {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Bodies and joints as bytes from which they can be created again, for the undo log. The bytes are a
-// saved world that contains nothing else, so that every property keeps its bits.
+// Bodies and joints as bytes from which they can be created again, for the undo log. The bytes are
+// a saved world that contains nothing else, so that every property keeps its bits.
 #pragma once
 
 #include <cstddef>

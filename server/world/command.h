@@ -107,10 +107,10 @@ struct CutCommand {
 // Changes properties of a body. Nothing: the property stays unchanged.
 struct EditCommand {
     EntityId entity = 0;
-    std::optional<physics::Vec3> position = {};                             // m
-    std::optional<physics::Quat> rotation = {};                             // unit length
+    std::optional<physics::Vec3> position = {};                                // m
+    std::optional<physics::Quat> rotation = {};                                // unit length
     std::optional<physics::Vec3> linear_velocity = {}, angular_velocity = {};  // m/s, rad/s
-    std::optional<double> mass = {}, density = {};                          // kg, kg/m^3
+    std::optional<double> mass = {}, density = {};                             // kg, kg/m^3
     std::optional<double> friction = {}, restitution = {};
     std::optional<std::uint32_t> color = {};  // 0xRRGGBB
     std::optional<bool> frozen = {};          // true: static
@@ -123,12 +123,12 @@ struct CloneCommand {
     bool jointed = false;
 };
 struct CreateJointCommand {
-    EntityId entity_a = 0, entity_b = 0;            // entity_a 0: the world
+    EntityId entity_a = 0, entity_b = 0;           // entity_a 0: the world
     std::optional<physics::Transform> frame = {};  // world; in place of the frames of the joint
     physics::JointDef joint = {};                  // without its bodies
 };
 struct DeleteJointCommand {
-    std::uint32_t joint = 0;        // as clients name it
+    std::uint32_t joint = 0;       // as clients name it
     physics::JointId target = {};  // after it was resolved
 };
 // Reverts the newest action of the client in the undo log (undo_log.h).
@@ -168,12 +168,12 @@ struct SendMessageCommand {
     bool to_server = false;         // to the server alone
 };
 
-using Action = std::variant<SpawnCommand, ImpulseCommand, GrabCommand, DragCommand, ReleaseCommand,
-                            DeleteCommand, ExplodeCommand, PossessCommand, ControlCommand,
-                            LeaveCommand, DisconnectCommand, CutCommand, JoinCommand, RenameCommand,
-                            SetRoleCommand, SetAttributesCommand, SendMessageCommand, RoomCommand,
-                            EditCommand, CloneCommand, CreateJointCommand, DeleteJointCommand,
-                            UndoCommand>;
+using Action =
+    std::variant<SpawnCommand, ImpulseCommand, GrabCommand, DragCommand, ReleaseCommand,
+                 DeleteCommand, ExplodeCommand, PossessCommand, ControlCommand, LeaveCommand,
+                 DisconnectCommand, CutCommand, JoinCommand, RenameCommand, SetRoleCommand,
+                 SetAttributesCommand, SendMessageCommand, RoomCommand, EditCommand, CloneCommand,
+                 CreateJointCommand, DeleteJointCommand, UndoCommand>;
 
 // Inputs that do not change bodies; they are also applied while the world is paused.
 inline bool is_data_command(const Action& action) {

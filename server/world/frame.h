@@ -45,8 +45,8 @@ struct EntityDescription {
     double bounding_radius = 0;  // m from its origin to its farthest corner; infinite for planes
 };
 
-// In ascending order of id. A new list is made only when an entity appears, disappears or is edited, so
-// equal pointers mean equal entity lists.
+// In ascending order of id. A new list is made only when an entity appears, disappears or is
+// edited, so equal pointers mean equal entity lists.
 using EntityList = std::vector<std::shared_ptr<const EntityDescription>>;
 
 // The module state of a controlled entity, encoded by jostle/modules/controlled_entity_state.h.
@@ -95,7 +95,7 @@ struct Frame {
     std::uint32_t speed_percent = 100;         // of real time; set by members of a room
     // Ticks to which members of a room can rewind it, ascending; null: none.
     std::shared_ptr<const std::vector<std::uint32_t>> restorable_ticks;
-    std::uint32_t late_ticks = 0;              // skipped since the start of the world
+    std::uint32_t late_ticks = 0;  // skipped since the start of the world
 
     // The grid of `entities`, built by the first call. Any thread.
     const PoseGrid& pose_grid() const;

@@ -64,7 +64,7 @@ private:
     std::size_t next_ = 0;
     const double hz_;
     double speed_ = 1;
-    TimeScale time_scale_;  // relative to the speed
+    TimeScale time_scale_;                // relative to the speed
     std::uint32_t published_events_ = 0;  // count of events in the newest frame
     bool has_new_events_ = false;
     mutable std::mutex mutex_;

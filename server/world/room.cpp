@@ -205,8 +205,8 @@ AddedObjects added_objects(const HostedState& world, ClientId client, const Acti
     if (!std::holds_alternative<UndoCommand>(action)) return {};
     const UndoStep* const step = world.undo.newest(client);
     if (!step) return {};
-    const auto own = static_cast<std::size_t>(
-        std::ranges::count(step->joints, client, &UndoStep::Joint::owner));
+    const auto own =
+        static_cast<std::size_t>(std::ranges::count(step->joints, client, &UndoStep::Joint::owner));
     return {.bodies = step->kind == UndoStep::Kind::deleted && step->owner == client ? 1u : 0u,
             .joints = own};
 }
@@ -824,13 +824,14 @@ Status check_room_command(const RoomCommand& command) {
         return invalid_argument(fmt::format("step.steps is {}; it must be from 1 to {}",
                                             step->steps, StepRoom::steps_max));
     if (const auto* speed = std::get_if<SetRoomSpeed>(&command.kind);
-        speed && (speed->percent < SetRoomSpeed::percent_min ||
-                  speed->percent > SetRoomSpeed::percent_max ||
-                  speed->percent % SetRoomSpeed::percent_step != 0))
-        return invalid_argument(fmt::format("speed.percent is {}; it must be a multiple of {} "
-                                            "from {} to {}",
-                                            speed->percent, SetRoomSpeed::percent_step,
-                                            SetRoomSpeed::percent_min, SetRoomSpeed::percent_max));
+        speed &&
+        (speed->percent < SetRoomSpeed::percent_min || speed->percent > SetRoomSpeed::percent_max ||
+         speed->percent % SetRoomSpeed::percent_step != 0))
+        return invalid_argument(
+            fmt::format("speed.percent is {}; it must be a multiple of {} "
+                        "from {} to {}",
+                        speed->percent, SetRoomSpeed::percent_step, SetRoomSpeed::percent_min,
+                        SetRoomSpeed::percent_max));
     if (const auto* protect = std::get_if<ProtectArea>(&command.kind))
         return check_area(protect->area);
     if (const auto* update = std::get_if<UpdateRoom>(&command.kind))

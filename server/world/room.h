@@ -42,7 +42,7 @@ public:
     struct Requests {
         std::optional<bool> paused = {};
         bool reset = false;
-        std::uint32_t steps = 0;                        // of a world that a member paused
+        std::uint32_t steps = 0;  // of a world that a member paused
         std::optional<std::uint32_t> speed_percent = {};
         std::optional<std::uint32_t> rewind = {};  // tick
     };

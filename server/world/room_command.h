@@ -89,8 +89,8 @@ struct RoomCommand {
     static constexpr std::size_t reason_bytes_max = 100, member_bytes_max = 320;
 
     std::variant<EnterRoom, SetRole, KickClient, BanClient, UnbanMember, MuteClient, CleanUpBodies,
-                 ProtectArea, UnprotectArea, VoteToKick, PauseRoom, ResetRoom, UpdateRoom,
-                 StepRoom, SetRoomSpeed, RewindRoom>
+                 ProtectArea, UnprotectArea, VoteToKick, PauseRoom, ResetRoom, UpdateRoom, StepRoom,
+                 SetRoomSpeed, RewindRoom>
         kind;
 };
 

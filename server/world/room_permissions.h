@@ -31,7 +31,7 @@ enum class RoomAction : std::uint8_t {
     ban,
     set_role,
     protect,  // add and remove protected areas
-    pause,  // pause, resume and step the world
+    pause,    // pause, resume and step the world
     reset,
     settings,  // replace the settings of the room
     edit,      // change the properties of bodies

@@ -147,8 +147,7 @@ std::string fault_of_edits(const SavedHostState& host_state) {
     for (const SavedHostState::Updated& updated : host_state.updated_entities)
         if (updated.revision == 0 || updated.revision > host_state.revisions)
             return "updated entity " + std::to_string(updated.entity) + " has revision " +
-                   std::to_string(updated.revision) + " of " +
-                   std::to_string(host_state.revisions);
+                   std::to_string(updated.revision) + " of " + std::to_string(host_state.revisions);
     ClientId last = 0;
     for (const SavedHostState::ClientUndo& of : host_state.undo) {
         if (of.client <= last || of.steps.empty() || of.steps.size() > UndoLog::steps_max)

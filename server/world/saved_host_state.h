@@ -87,19 +87,17 @@ struct SavedHostState {
     std::vector<EntityId> quarantined;
     std::vector<physics::BodyId> scene_bodies;
     std::vector<physics::JointId> scene_joints;
-    std::vector<SavedPlayer> players;        // in ascending order of client
-    std::vector<SavedAttribute> attributes;  // in ascending order of target and key
-    std::uint32_t messages = 0;              // number of user messages
-    std::optional<RoomState> room = {};      // nothing: the world is no room
-    std::uint32_t revisions = 0;             // number of updates of entities
+    std::vector<SavedPlayer> players;            // in ascending order of client
+    std::vector<SavedAttribute> attributes;      // in ascending order of target and key
+    std::uint32_t messages = 0;                  // number of user messages
+    std::optional<RoomState> room = {};          // nothing: the world is no room
+    std::uint32_t revisions = 0;                 // number of updates of entities
     std::vector<Updated> updated_entities = {};  // in ascending order of id
     std::vector<OwnedJoint> owned_joints = {};
     std::vector<ClientUndo> undo = {};  // in ascending order of client
 
     // Whether clients edited bodies, made joints or have actions to undo.
-    bool has_edits() const {
-        return revisions != 0 || !owned_joints.empty() || !undo.empty();
-    }
+    bool has_edits() const { return revisions != 0 || !owned_joints.empty() || !undo.empty(); }
 };
 
 // The clients of the world, each with the sequence number of its last processed input (0: none).

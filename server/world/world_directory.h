@@ -68,7 +68,8 @@ public:
     // the timeline does not contain the tick.
     Result<std::shared_ptr<WorldHost>> rewind_room(const std::shared_ptr<WorldHost>& world,
                                                    std::uint32_t tick);
-    // Resets and rewinds the worlds whose members requested it. Call it periodically from one thread.
+    // Resets and rewinds the worlds whose members requested it. Call it periodically from one
+    // thread.
     void reset_requested();
     // `callback` is called when a new host replaces a world, with the clients of its saved state.
     // Set it before the first world.

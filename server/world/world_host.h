@@ -217,9 +217,9 @@ private:
     std::vector<WaitingResult> results_;        // of the inputs of this tick
     bool step_refused_ = false, step_interrupted_ = false;
     Clock::time_point next_pairs_warning_{};
-    bool step_aborted_ = false;  // the end of the world aborted the last step
-    bool rests_ = false;         // may_rest() of the last frame
-    std::uint32_t room_steps_ = 0;  // that members requested for a paused world
+    bool step_aborted_ = false;                 // the end of the world aborted the last step
+    bool rests_ = false;                        // may_rest() of the last frame
+    std::uint32_t room_steps_ = 0;              // that members requested for a paused world
     const std::shared_ptr<Timeline> timeline_;  // null: the world is no room
 
     const std::shared_ptr<WorldJournal> world_journal_;    // null: not persisted

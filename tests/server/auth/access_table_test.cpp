@@ -153,6 +153,7 @@ std::map<std::string, Expected> expected_permissions() {
           "jostle.v1.PlayService/Play", "jostle.v1.QueryService/CastRays",
           "jostle.v1.QueryService/CastShapes", "jostle.v1.QueryService/Overlap",
           "jostle.v1.QueryService/ClosestPoints", "jostle.v1.QueryService/Debug",
+          "jostle.v1.QueryService/Inspect",
           "GET /api/worlds/{id}", "POST /api/worlds/{id}/join", "POST /api/query/{method}",
           "GET /play"}},
         {Role::player, world, {"play inputs"}},

@@ -19,13 +19,14 @@ namespace jostle::scenes {
 
 /// A joint without its bodies.
 struct JointDefinition {
-    physics::JointDef joint;                         ///< body_a and body_b are null
-    std::optional<physics::Transform> frame = {};  ///< in the world, in place of frame_a and frame_b
+    physics::JointDef joint;  ///< body_a and body_b are null
+    std::optional<physics::Transform> frame =
+        {};  ///< in the world, in place of frame_a and frame_b
 };
 
 /// Converts an untrusted message; every number is checked. Fields that only scene files have (name,
-/// body_a, body_b, repeat) must be absent. An error names the field, with `path` as the beginning of
-/// its path.
+/// body_a, body_b, repeat) must be absent. An error names the field, with `path` as the beginning
+/// of its path.
 physics::Result<JointDefinition> joint_from_message(const v1::Joint& message,
                                                     const std::string& path);
 

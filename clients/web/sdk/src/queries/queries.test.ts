@@ -71,3 +71,18 @@ it('adds the token as a header, and no header without a token', () => {
   expect(withToken('a.b.c', { Accept: 'x' })).toEqual({ Accept: 'x', Authorization: 'Bearer a.b.c' });
   expect(withToken('')).toEqual({});
 });
+
+it('inspects an entity or a joint, and continues after one that does not exist', async () => {
+  const { requests, post } = server(
+    [404, '{"code":"NOT_FOUND","message":"entity 9 does not exist"}'],
+    [200, '{"tick":5,"joint":{"id":3,"force":12.5,"joint":{"hinge":{}}}}'],
+  );
+  const queries = new Queries(() => 'w1', post);
+  expect(await queries.inspect({ entity: 9 })).toBeUndefined();
+  const response = await queries.inspect({ joint: 3 });
+  expect(requests).toEqual([
+    ['api/query/Inspect', '{"world":"w1","entity":9}'],
+    ['api/query/Inspect', '{"world":"w1","joint":3}'],
+  ]);
+  expect(response!.joint).toMatchObject({ id: 3, force: 12.5, joint: { kind: { case: 'hinge' } } });
+});

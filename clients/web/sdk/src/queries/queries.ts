@@ -7,8 +7,11 @@ import {
   CastRaysResponseSchema,
   DebugRequestSchema,
   DebugResponseSchema,
+  InspectRequestSchema,
+  InspectResponseSchema,
   type CastRaysResponse,
   type DebugResponse,
+  type InspectResponse,
 } from '../gen/jostle/v1/query_pb.js';
 
 const QUERY_TIMEOUT_MS = 10_000; // a page without a graphics processor may be busy for seconds
@@ -53,6 +56,12 @@ export class Queries {
     return this.call('Debug', DebugRequestSchema, request, DebugResponseSchema);
   }
 
+  /** The state of an entity or joint. Undefined also if it does not exist. */
+  inspect(target: { readonly entity: number } | { readonly joint: number }): Promise<InspectResponse | undefined> {
+    const [kind, value] = 'entity' in target ? (['entity', target.entity] as const) : (['joint', target.joint] as const);
+    return this.call('Inspect', InspectRequestSchema, { target: { case: kind, value } }, InspectResponseSchema);
+  }
+
   private async call<Request extends DescMessage, Response extends DescMessage>(
     method: string,
     requestSchema: Request,
@@ -65,8 +74,9 @@ export class Queries {
     try {
       const message = create(requestSchema, { ...request, world } as MessageInitShape<Request>);
       const response = await this.post(`api/query/${method}`, toJsonString(requestSchema, message), AbortSignal.timeout(QUERY_TIMEOUT_MS));
-      if (NOT_SERVED.includes(response.status)) this.notServed.add(key);
       const text = await response.text();
+      // 404 of Inspect may mean that the entity or the joint does not exist.
+      if (NOT_SERVED.includes(response.status) && !/(entity|joint) \d+ does not exist/.test(text)) this.notServed.add(key);
       if (response.status === TOO_MANY) this.notBeforeMs = performance.now() + retryAfterMs(text);
       if (response.status !== 200) return undefined;
       // The client may have left the world meanwhile.

@@ -89,8 +89,8 @@ Action any_action(test::Random& random) {
                                                            .max_length = 3,
                                                            .spring = {2, 0.3},
                                                            .rest_length = 1}}},
-        DeleteJointCommand{.target = {random.below(40), 0}},
-        DeleteJointCommand{.joint = 1 + random.below(20)},
+        DeleteJointCommand{.target = {entity % 40, 0}},
+        DeleteJointCommand{.joint = entity % 20 + 1},
         UndoCommand{},
         LeaveCommand{random.below(2) == 0}};
     return actions[random.below(std::size(actions))];

@@ -77,18 +77,21 @@ Action any_action(test::Random& random) {
                     .gravity_scale = 0.5},
         EditCommand{.entity = entity, .frozen = random.below(2) == 0},
         CloneCommand{entity, random.vector(4) + physics::Vec3{0, 5, 0}, random.below(2) == 0},
-        CreateJointCommand{entity, static_cast<EntityId>(1 + random.below(120)),
-                           physics::Transform{random.vector(4), random.rotation()},
-                           {.kind = physics::HingeJoint{.limit = {true, -0.5, 0.25},
-                                                        .motor = {true, 2, 50}},
-                            .break_force = 1e5}},
-        CreateJointCommand{0, entity, {},
-                           {.frame_a = {random.vector(4), random.rotation()},
-                            .frame_b = {random.vector(0.2), {}},
-                            .kind = physics::DistanceJoint{.min_length = 0,
-                                                           .max_length = 3,
-                                                           .spring = {2, 0.3},
-                                                           .rest_length = 1}}},
+        CreateJointCommand{
+            entity,
+            static_cast<EntityId>(1 + random.below(120)),
+            physics::Transform{random.vector(4), random.rotation()},
+            {.kind = physics::HingeJoint{.limit = {true, -0.5, 0.25}, .motor = {true, 2, 50}},
+             .break_force = 1e5}},
+        CreateJointCommand{
+            0,
+            entity,
+            {},
+            {.frame_a = {random.vector(4), random.rotation()},
+             .frame_b = {random.vector(0.2), {}},
+             .kind =
+                 physics::DistanceJoint{
+                     .min_length = 0, .max_length = 3, .spring = {2, 0.3}, .rest_length = 1}}},
         DeleteJointCommand{.target = {entity % 40, 0}},
         DeleteJointCommand{.joint = entity % 20 + 1},
         UndoCommand{},
@@ -102,10 +105,14 @@ JournalSegment play(HostedWorld& world, std::uint32_t ticks) {
     test::Random random(77);
     JournalSegment journal{{}, {{3, 3}, {90, 94}}};
     for (std::uint32_t tick = 1; tick <= ticks; tick++) {
-        for (ClientId client = 1; client <= 4; client++)
-            world.apply(
-                {.client = client, .sequence = tick, .action = any_action(random), .reply = {}},
-                tick);
+        for (ClientId client = 1; client <= 4; client++) {
+            const Action action = any_action(random);
+            world.apply({.client = client,
+                         .sequence = is_session_command(action) ? 0 : tick,
+                         .action = action,
+                         .reply = {}},
+                        tick);
+        }
         journal.ticks.push_back({tick, world.take_journal()});
         EXPECT_TRUE(world.step(dt, tick).ok());
     }

@@ -28,6 +28,7 @@ constexpr AccessRow table[] = {
     {"jostle.v1.QueryService/Overlap", query, Role::viewer, any_world},
     {"jostle.v1.QueryService/ClosestPoints", query, Role::viewer, any_world},
     {"jostle.v1.QueryService/Debug", query, Role::viewer, any_world},
+    {"jostle.v1.QueryService/Inspect", query, Role::viewer, any_world},
     {"jostle.v1.AdminService/GetServerStatus", admin_read, Role::admin, token_worlds},
     {"jostle.v1.AdminService/ListClients", admin, Role::admin, token_worlds},
     {"jostle.v1.AdminService/Kick", admin, Role::admin, token_worlds},

@@ -365,10 +365,12 @@ HttpResponse HttpRoutes::query(const HttpRequest& request, std::string_view meth
         return evaluate(request, queries_, authorize_target, &QueryControl::closest_points);
     if (method == "Debug")
         return evaluate(request, queries_, authorize_target, &QueryControl::debug);
+    if (method == "Inspect")
+        return evaluate(request, queries_, authorize_target, &QueryControl::inspect);
     return to_http(
         Error{ErrorCode::not_found,
-              "there is no such query; use CastRays, CastShapes, Overlap, ClosestPoints or "
-              "Debug"});
+              "there is no such query; use CastRays, CastShapes, Overlap, ClosestPoints, "
+              "Debug or Inspect"});
 }
 
 HttpResponse HttpRoutes::resume_world(const std::string& world,

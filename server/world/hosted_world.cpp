@@ -197,6 +197,11 @@ Status HostedWorld::apply_and_record(const Command& command, InputResult& result
         action = &resolved;
         status = resolve_target(state_, channels_, *frame_history_, *state_.entities.list(),
                                 resolved, result);
+    } else if (const auto* deletion = std::get_if<DeleteJointCommand>(&command.action);
+               deletion && deletion->joint != 0) {
+        // The ids of clients are not part of the state of the world.
+        resolved = DeleteJointCommand{deletion->joint, joints_.find(deletion->joint)};
+        action = &resolved;
     }
     if (const auto* named = std::get_if<DeleteJointCommand>(&command.action);
         named && named->joint != 0) {
@@ -212,6 +217,18 @@ Status HostedWorld::apply_and_record(const Command& command, InputResult& result
     result.entity = affected.entity;
     if (!is_null(affected.joint)) result.joint = joints_.id_of(affected.joint);
     return status;
+}
+
+Result<BodyInspection> HostedWorld::inspect_entity(EntityId entity) {
+    return inspect_body(state_, entity, [this](JointId joint) { return joints_.id_of(joint); });
+}
+
+Result<JointInspection> HostedWorld::inspect_joint(std::uint32_t joint) {
+    const JointId id = joints_.find(joint);
+    if (!state_.world.contains(id))
+        return Error{ErrorCode::not_found, "joint " + std::to_string(joint) + " does not exist"};
+    return server::inspect_joint(state_, id,
+                                 [this](JointId known) { return joints_.id_of(known); });
 }
 
 Status HostedWorld::apply_as_server(const Action& action) {

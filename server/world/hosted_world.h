@@ -18,6 +18,7 @@
 #include "server/world/command.h"
 #include "server/world/export_scene.h"
 #include "server/world/frame.h"
+#include "server/world/inspection.h"
 #include "server/world/joint_list.h"
 #include "server/world/module_channels.h"
 #include "server/world/query_frame.h"
@@ -115,6 +116,9 @@ public:
         return channels_.newly_oversized();
     }
     QueryFramePtr query_frame(std::uint32_t tick, CopyLayers layers);
+    // The state of one entity or joint; `joint`: as clients name it. not_found: there is none.
+    Result<BodyInspection> inspect_entity(EntityId entity);
+    Result<JointInspection> inspect_joint(std::uint32_t joint);
     // The current state; `origin` is the scene from which the world was created.
     ExportedScene exported(const scenes::SceneDescription& origin) {
         return export_scene(state_, origin, ids_);

@@ -284,9 +284,10 @@ void WorldDirectory::reset_requested() {
     for (const auto& world : list()) {
         if (world->lifecycle().stopped()) continue;
         if (const std::uint32_t tick = world->requested_rewind(); tick != 0) {
-            world->cancel_rewind();
-            if (const auto host = rewind_room(world, tick); !host.ok())
+            if (const auto host = rewind_room(world, tick); !host.ok()) {
                 log_error("world {}: cannot be rewound: {}", world->id(), host.error().message);
+                world->cancel_rewind();
+            }
         }
     }
     for (const auto& world : list())

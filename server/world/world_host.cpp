@@ -415,7 +415,8 @@ void WorldHost::set_speed(std::uint32_t percent) {
 }
 
 void WorldHost::store_timeline(bool stepped) {
-    if (!timeline_ || step_aborted_) return;
+    // The state of a requested rewind stays until the rewind.
+    if (!timeline_ || step_aborted_ || requested_rewind_.load() != 0) return;
     timeline_->on_tick(tick_, stepped, world_, world_.room()->state().properties.timeline_seconds,
                        oldest_restorable_tick());
 }
@@ -435,7 +436,8 @@ void WorldHost::grant_room_requests(const Room::Requests& requests) {
     if (requests.paused == true && !lifecycle_.paused()) pause(std::string(room_pause));
     room_steps_ = std::min(room_steps_ + requests.steps, StepRoom::steps_max);
     if (requests.speed_percent) set_speed(*requests.speed_percent);
-    if (requests.rewind) requested_rewind_ = *requests.rewind;
+    if (requests.rewind && timeline_ && timeline_->contains(*requests.rewind))
+        requested_rewind_ = *requests.rewind;
 }
 
 void WorldHost::remove_excess_bodies(Clock::time_point now) {

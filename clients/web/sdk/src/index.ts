@@ -13,7 +13,7 @@
  */
 
 // A client of one world: the usual entry point.
-export { Client, connect, ConnectError, type ConnectOptions, type RoomCommand, type Vector } from './client.js';
+export { Client, connect, ConnectError, type BodyEdit, type CloneOptions, type ConnectOptions, type NewJoint, type RoomCommand, type Vector } from './client.js';
 
 // The parts of a client, for applications with their own render loop.
 export { nowUs } from './clock/clock_sync.js';

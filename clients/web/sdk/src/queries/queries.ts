@@ -61,9 +61,10 @@ export class Queries {
     return this.call('Debug', DebugRequestSchema, request, DebugResponseSchema);
   }
 
-  /** The state of one entity or joint between two ticks. */
-  inspect(request: MessageInitShape<typeof InspectRequestSchema>): Promise<InspectResponse | undefined> {
-    return this.call('Inspect', InspectRequestSchema, request, InspectResponseSchema);
+  /** The state of an entity or joint between two ticks. Undefined also if it does not exist. */
+  inspect(target: { readonly entity: number } | { readonly joint: number }): Promise<InspectResponse | undefined> {
+    const [kind, value] = 'entity' in target ? (['entity', target.entity] as const) : (['joint', target.joint] as const);
+    return this.call('Inspect', InspectRequestSchema, { target: { case: kind, value } }, InspectResponseSchema);
   }
 
   private async call<Request extends DescMessage, Response extends DescMessage>(

@@ -182,8 +182,7 @@ export class Sandbox {
   private async query(): Promise<void> {
     const { current } = this.selection;
     if (!current) return;
-    const target = current.kind === 'body' ? ({ case: 'entity', value: current.id } as const) : ({ case: 'joint', value: current.id } as const);
-    const response = await this.options.queries.inspect({ target });
+    const response = await this.options.queries.inspect(current.kind === 'body' ? { entity: current.id } : { joint: current.id });
     // The selection or the panels may have changed during the query.
     if (this.selection.current === current) this.setInspected(this.isInspecting ? response : undefined);
   }

@@ -758,7 +758,8 @@ export const DeleteInputSchema: GenMessage<DeleteInput> = /*@__PURE__*/
 
 /**
  * Changes properties of a dynamic body, or of a body that an EditInput froze. Absent fields stay unchanged. The server
- * applies all changes or none. Without a room, a client edits the bodies that it owns.
+ * applies all changes or none. Without a room, a client edits the bodies that it owns. Velocity, mass and density of
+ * frozen bodies cannot be edited. An edited entity is in EntityUpdate.removed and EntityUpdate.added again.
  *
  * @generated from message jostle.v1.EditInput
  */
@@ -795,7 +796,7 @@ export type EditInput = Message<"jostle.v1.EditInput"> & {
   angularVelocity?: Vec3 | undefined;
 
   /**
-   * kg, 0.001 to 1e6; scales the density of all shapes
+   * kg, 0.001 to 1e6; excludes `density`
    *
    * @generated from field: optional double mass = 6;
    */
@@ -907,8 +908,9 @@ export type CreateJointInput = Message<"jostle.v1.CreateJointInput"> & {
 
   /**
    * `frame` in the world at the time when the input is applied, or `frame_a` and `frame_b` in the bodies; positions
-   * within 1e4 m. The kind is ball, hinge, slider, fixed or distance. Also collide_connected, break_force and
-   * break_torque. `name`, `body_a`, `body_b`, `solver` and `repeat` must be absent.
+   * within 1e4 m. The kind is ball, hinge, slider, fixed or distance. Motors have at most 100 rad/s or m/s and 1e6 N m
+   * or N, springs at most 60 Hz. Also collide_connected, break_force and break_torque. `name`, `body_a`, `body_b`,
+   * `solver` and `repeat` must be absent.
    *
    * @generated from field: jostle.v1.Joint joint = 3;
    */
@@ -2265,7 +2267,8 @@ export const GeometryChunkSchema: GenMessage<GeometryChunk> = /*@__PURE__*/
 
 /**
  * Changes in the list of entities since the last EntityUpdate to this client. The first ones list all entities. A large
- * change is split into several messages, removals first. A Snapshot follows the EntityUpdates that add its entities.
+ * change is split into several messages, removals first. An entity that an EditInput changed is removed and added again
+ * with the same id. A Snapshot follows the EntityUpdates that add its entities.
  *
  * @generated from message jostle.v1.EntityUpdate
  */

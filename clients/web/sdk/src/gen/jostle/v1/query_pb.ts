@@ -926,7 +926,7 @@ export type InspectedBody = Message<"jostle.v1.InspectedBody"> & {
   centerOfMass?: Vec3 | undefined;
 
   /**
-   * kg m^2, about the centre of mass, in the axes of the body: the rows of the symmetric tensor
+   * kg m^2, about the centre of mass, in the axes of the body: the columns of the symmetric tensor
    *
    * @generated from field: jostle.v1.Vec3 inertia_x = 11;
    */
@@ -967,13 +967,17 @@ export type InspectedBody = Message<"jostle.v1.InspectedBody"> & {
   frozen: boolean;
 
   /**
-   * Of the island of the body; 0: none, because the body is not dynamic. Ids change from step to step.
+   * The island of the body: the dynamic bodies that contacts and joints connect to it. 0: the body is not dynamic.
+   *
+   * the lowest entity in it
    *
    * @generated from field: uint32 island = 18;
    */
   island: number;
 
   /**
+   * at most 1024 are counted
+   *
    * @generated from field: uint32 island_bodies = 19;
    */
   islandBodies: number;
@@ -1121,7 +1125,7 @@ export type InspectedContactPoint = Message<"jostle.v1.InspectedContactPoint"> &
   separation: number;
 
   /**
-   * N s, normal impulse of the last step
+   * N s, along the normal, of the last sub-step
    *
    * @generated from field: double impulse = 3;
    */

@@ -19,6 +19,11 @@ const PATHS = {
   theme: 'M12 3a9 9 0 1 0 .1 0M12 3v18a9 9 0 0 0 0-18z',
   menu: 'M4 7h16M4 12h16M4 17h16',
   close: 'M6 6l12 12M18 6 6 18',
+  players: 'M9 5a3.200 3.200 0 1 0 .1 0M3 20c0-4 2.500-6 6-6s6 2 6 6M16 5.500a3 3 0 0 1 0 5.800M17.500 14.300c2.300.6 3.500 2.500 3.500 5.700',
+  chat: 'M4 5h16v11H10l-4 4v-4H4zM8 9h8M8 12h5',
+  share: 'M14 4h6v6M20 4l-8 8M10 5H5v14h14v-5',
+  edit: 'M4 20l1-5L16 4l4 4L9 19zM13 7l4 4',
+  more: 'M5 11.500a.6.6 0 1 0 .1 0M12 11.500a.6.6 0 1 0 .1 0M19 11.500a.6.6 0 1 0 .1 0',
 } as const;
 
 export type IconName = keyof typeof PATHS;

@@ -9,7 +9,7 @@ import { tmpdir } from 'node:os';
 import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
-import { CHROMIUM_FLAGS } from './e2e/people.mjs';
+import { CHROMIUM_FLAGS, setName } from './e2e/chromium.mjs';
 
 const WIDTH = 240;
 const HEIGHT = 150;
@@ -45,7 +45,7 @@ try {
   browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args: CHROMIUM_FLAGS });
   const page = await browser.newPage({ viewport: { width: SCALE * WIDTH, height: SCALE * HEIGHT }, colorScheme: 'light' });
   page.setDefaultTimeout(120_000);
-  await page.addInitScript(() => localStorage.setItem('jostle-name', 'thumbnails'));
+  await setName(page);
   for (const name of names) {
     const created = await fetch(`${url}/api/worlds`, { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: JSON.stringify({ name, sceneName: name }) });
     const { world, message } = await created.json();

@@ -41,7 +41,8 @@ try {
   const { http } = await until('the server writes its ports', () => existsSync(portFile) && JSON.parse(readFileSync(portFile, 'utf8')));
   const url = `http://127.0.0.1:${http}`;
   const { scenes } = await (await fetch(`${url}/api/worlds`)).json();
-  const names = scenes.map(({ name }) => name).filter((name) => (only.length > 0 ? only.includes(name) : !name.startsWith('bench_') && !/_\d+$/.test(name)));
+  const known = scenes.map(({ name }) => name);
+  const names = only.length > 0 ? only.filter((name) => known.includes(name)) : known.filter((name) => !name.startsWith('bench_') && !/_\d+$/.test(name));
   browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args: CHROMIUM_FLAGS });
   const page = await browser.newPage({ viewport: { width: SCALE * WIDTH, height: SCALE * HEIGHT }, colorScheme: 'light' });
   page.setDefaultTimeout(120_000);

@@ -68,6 +68,8 @@ constexpr AccessRow table[] = {
     // GET: whether the caller may resume the world.
     {"GET /api/worlds/{id}/resume", admin, Role::director, own_world},
     {"POST /api/worlds/{id}/resume", admin, Role::director, own_world},
+    // The world as a scene file.
+    {"GET /api/worlds/{id}/scene", admin, Role::director, own_world},
     // Admitted once more as the method of AdminService.
     {"POST /api/admin/{method}", admin, Role::admin, any_world},
     {"POST /api/query/{method}", query, Role::viewer, any_world},

@@ -105,6 +105,7 @@ TEST(AccessTable, finds_routes_by_method_and_path) {
     EXPECT_EQ(route("DELETE", "/api/worlds/w1"), "DELETE /api/worlds/{id}");
     EXPECT_EQ(route("POST", "/api/worlds/w1/resume"), "POST /api/worlds/{id}/resume");
     EXPECT_EQ(route("DELETE", "/api/worlds/w1/resume"), "");
+    EXPECT_EQ(route("GET", "/api/worlds/w1/scene"), "GET /api/worlds/{id}/scene");
     EXPECT_EQ(route("POST", "/api/query/Debug"), "POST /api/query/{method}");
     EXPECT_EQ(route("GET", "/play"), "GET /play");
     EXPECT_EQ(route("GET", "/healthz"), "GET /healthz");
@@ -160,7 +161,8 @@ std::map<std::string, Expected> expected_permissions() {
         {Role::director,
          own_world,
          {"jostle.v1.WorldService/DeleteWorld", "DELETE /api/worlds/{id}",
-          "GET /api/worlds/{id}/resume", "POST /api/worlds/{id}/resume"}},
+          "GET /api/worlds/{id}/resume", "POST /api/worlds/{id}/resume",
+          "GET /api/worlds/{id}/scene"}},
         {Role::admin,
          token_worlds,
          {"jostle.v1.AdminService/GetServerStatus", "jostle.v1.AdminService/ListClients",

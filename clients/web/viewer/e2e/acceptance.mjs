@@ -5,6 +5,7 @@
 
 import { createRequire } from 'node:module';
 import { readFileSync } from 'node:fs';
+import { setName } from './chromium.mjs';
 
 const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const WIDE = { width: 1440, height: 900 };
@@ -129,6 +130,7 @@ export async function testAcceptance({ browser, url, post, until, expect, screen
   const errors = [];
   const open = async (options, query) => {
     const context = await browser.newContext(options);
+    await setName(context);
     const page = await context.newPage();
     page.setDefaultTimeout(60_000);
     page.on('pageerror', (error) => errors.push(String(error)));

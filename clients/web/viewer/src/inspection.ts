@@ -5,6 +5,7 @@ import type { WorldStats } from '@jostle/client/gen/play_pb';
 import type { PredictionController } from '@jostle/client/prediction';
 import * as THREE from 'three';
 import type { Camera } from './camera/camera';
+import type { People } from './people/people';
 import type { Driving } from './interaction/driving';
 import type { ModuleView } from './module_renderers/module_view';
 import type { FrameTimes } from './ui/frame_times';
@@ -16,6 +17,7 @@ import type { UnitKind } from './scene/shape_parts';
 import { heightAt } from './scene/water';
 
 export interface Inspected {
+  readonly people: People;
   readonly connection: Connection;
   readonly view: SceneView;
   readonly moduleView: ModuleView;
@@ -33,7 +35,7 @@ export interface Inspected {
 }
 
 export function exposeInspection(inspected: Inspected): void {
-  const { connection, view, moduleView, pointObjectsView, camera, driving, frameTimes, jointView, sandbox } = inspected;
+  const { connection, view, moduleView, pointObjectsView, camera, driving, frameTimes, jointView, sandbox, people } = inspected;
   const { stats, qualityName, recording, prediction, controllableEntities } = inspected;
   /** Position of a point of the world on the page, in pixels. */
   const toScreen = (x: number, y: number, z: number) => {
@@ -82,6 +84,10 @@ export function exposeInspection(inspected: Inspected): void {
     },
     get snapshots() {
       return connection.snapshots;
+    },
+    /** The other players as this page shows them. */
+    get people() {
+      return people.inspect();
     },
     /** Assigned by the server; 0: not connected yet. */
     get clientId() {

@@ -32,6 +32,9 @@ import { drawArrows, DriverPanel, offerText } from './panels/driver';
 import { describePick, entityName } from './panels/entity_names';
 import type { EventsPanel } from './panels/events';
 import type { StatsPanel } from './panels/stats';
+import type { LobbyPanel } from './lobby/lobby_panel';
+import { ServerApi } from './lobby/server_api';
+import { People } from './people/people';
 import { StatusBanner } from './panels/status_banner';
 import { TimelinePanel } from './panels/timeline';
 import { Toasts } from './panels/toasts';
@@ -126,6 +129,7 @@ const listener: ConnectionListener = {
     stateLine.className = state;
     banner.setConnection(state, reason);
     if (state === 'playing') onPlaying();
+    if (state === 'playing') people.playing();
     if (state === 'stopped' && reason) panels.open('worlds');
   },
   entityList: (entities) => {
@@ -146,14 +150,34 @@ const listener: ConnectionListener = {
     sandbox.onWorldChanged();
   },
   worldEvents: (events) => eventsPanel?.addEvents(events, performance.now() + renderDelayMs()),
-  inputRejected: (result) => toasts.show(result.message || 'the server rejected the input'),
+  inputRejected: (result) => people.rejected(result) || toasts.show(result.message || 'the server rejected the input'),
   notice: (text) => toasts.show(text),
+  playerEvent: (event) => people.playerEvent(event),
+  dataChanged: () => people.dataChanged(),
+  userMessage: (message) => people.message(message),
 };
 const open = parameters.networkConditions ? simulatedSocket(openSocket, parameters.networkConditions) : openSocket;
 let recorded: RecordedStream | undefined; // played instead of a live world
 const channelKinds = [...RENDERED_CHANNEL_KINDS, POINT_CHANNEL_KINDS, ...(parameters.predict ? [MOTION_CHANNEL] : [])];
+const contextMenu = new ContextMenu(byId('context-menu'));
+const panels = new Panels({ left: byId('dock-left'), right: byId('dock-right'), buttons: byId('panel-buttons') }, updateLayout);
+const people = new People({
+  connection: () => connection,
+  view,
+  camera,
+  panels,
+  contextMenu,
+  token,
+  grab: () => tools.grab,
+  controlled: () => driving.entity,
+  isRecorded: () => recorded !== undefined,
+  join: joinWorld,
+  showProblem: (text) => toasts.show(text),
+});
 const connection = new Connection({
   url: websocketUrl(),
+  ...people.connectionOptions,
+  joinCode: people.initialJoinCode(parameters.world),
   listener,
   openSocket: (url) => (recorded ? recorded.open() : open(url)),
   token,
@@ -177,9 +201,9 @@ function beginWorld(): void {
   banner.begin();
 }
 
-function joinWorld(world: string): void {
+function joinWorld(world: string, joinCode = ''): void {
   beginWorld();
-  connection.join(world);
+  connection.join(world, joinCode);
 }
 
 function websocketUrl(): string {
@@ -211,14 +235,12 @@ const queries = new Queries(() => (connection.state === 'playing' && !recorded ?
 const readout = byId('readout');
 const driving = new Driving((input) => connection.send(input));
 const touchControls = new TouchControls(byId('touch-controls'));
-const contextMenu = new ContextMenu(byId('context-menu'));
 const inputMarks = new InputMarks();
 let controllable: Entity[] = [];
 let entitiesChanged = false;
 let touchUsed = matchMedia('(pointer: coarse)').matches;
 addEventListener('pointerdown', ({ pointerType }) => (touchUsed = pointerType === 'touch'), { capture: true });
 
-const panels = new Panels({ left: byId('dock-left'), right: byId('dock-right'), buttons: byId('panel-buttons') }, updateLayout);
 const commands = new Commands();
 const sandbox = new Sandbox({
   connection,
@@ -238,6 +260,7 @@ const tools = new Tools({
   connection,
   queries,
   onHover(hit) {
+    people.hover(hit?.point);
     readout.hidden = hit === undefined;
     if (hit) readout.textContent = describePick(connection.entities.get(hit.entity), hit);
   },
@@ -294,6 +317,7 @@ let latestStats: WorldStats | undefined;
 let statsPanel: StatsPanel | undefined;
 let debugPanel: DebugPanel | undefined;
 let eventsPanel: EventsPanel | undefined;
+let lobby: LobbyPanel | undefined;
 
 const banner = new StatusBanner({
   element: byId('banner'),
@@ -313,12 +337,23 @@ panels.register({
   icon: 'worlds',
   side: 'left',
   async load(content) {
-    const { WorldsPanel } = await import('./panels/worlds');
-    const join = (world: string) => {
+    const { LobbyPanel } = await import('./lobby/lobby_panel');
+    const join = (world: string, name: string, joinCode: string) => {
       play(undefined);
-      joinWorld(world);
+      if (joinCode) people.joinCodes.set(name, joinCode);
+      joinWorld(world, joinCode);
     };
-    return new WorldsPanel(content, () => panels.close('worlds'), join, (text) => toasts.show(text), () => connection.welcome?.worldId ?? '', token);
+    lobby = new LobbyPanel({
+      content,
+      api: new ServerApi(token),
+      contextMenu,
+      close: () => panels.close('worlds'),
+      join,
+      joinCodeOf: (name) => people.joinCodes.get(name),
+      current: () => connection.welcome?.worldId ?? '',
+      showProblem: (text) => toasts.show(text),
+    });
+    return lobby;
   },
 });
 panels.register({
@@ -370,6 +405,7 @@ panels.register({
   },
 });
 sandbox.register();
+people.registerPanels();
 panels.register({
   id: 'help',
   title: 'Help',
@@ -429,6 +465,7 @@ function escape(): void {
   if (contextMenu.close()) return canvas.focus();
   if (driving.entity !== 0) return driving.stopControlling();
   if (sandbox.cancel()) return;
+  if (people.stopFollowing()) return;
   panels.closeNewest();
 }
 
@@ -471,8 +508,15 @@ addEventListener('dragover', (event) => event.preventDefault());
 addEventListener('drop', (event) => {
   event.preventDefault();
   const file = event.dataTransfer?.files[0];
-  if (file) void playRecording(file.name, file.arrayBuffer());
+  if (file?.name.endsWith('.json')) void uploadScene(file);
+  else if (file) void playRecording(file.name, file.arrayBuffer());
 });
+
+async function uploadScene(file: File): Promise<void> {
+  panels.open('worlds');
+  while (!lobby) await new Promise((resolve) => setTimeout(resolve, 50)); // until its code is loaded
+  await lobby.upload(file);
+}
 
 async function download(url: string): Promise<ArrayBuffer> {
   const response = await fetch(url);
@@ -570,6 +614,7 @@ function renderModules(rendered: RenderedChannels): void {
     decorate: (solids) => {
       if (tools.tool === 'drive' && driving.entity === 0) drawArrows(solids, controllable, poseOf, performance.now());
       inputMarks.draw(solids, tools.grab, poseOf, camera.distance, performance.now());
+      people.draw(solids, poseOf);
     },
   });
 }
@@ -616,6 +661,7 @@ function updateFrame(seconds: number): void {
   panels.update();
   hitMarks.update(performance.now());
   drive(seconds);
+  people.update(seconds);
   connection.setInterestFocus(camera.controls.target.x, camera.controls.target.z);
   environment.update(camera.controls.target, camera.distance, camera.planar);
   scaleBar.update(camera.viewHeight / innerHeight);
@@ -638,13 +684,15 @@ setQuality(quality);
 selectTool('drag');
 addEventListener('resize', resize);
 new ResizeObserver(updateLayout).observe(byId('bottom'));
+people.askForName();
 // Statistics cover too much of a small screen.
 if (!panels.isNarrow) panels.open('stats');
 
 if (parameters.recording) void playRecording(parameters.recording, download(parameters.recording));
-else joinWorld(parameters.world);
+else joinWorld(parameters.world, people.joinCodes.get(parameters.world));
 
 exposeInspection({
+  people,
   connection,
   view,
   moduleView,

@@ -168,6 +168,8 @@ export interface ConnectionOptions {
   readonly topics?: readonly string[] | undefined;
 }
 
+const identityOf = (name = 'browser', color?: number) => ({ name, ...(color === undefined ? {} : { color }) });
+
 /** A play stream that reconnects. join() starts it, stop() ends it. */
 export class Connection {
   readonly clock = new ClockSync();
@@ -220,12 +222,12 @@ export class Connection {
   private readonly listener: ConnectionListener;
   private readonly openSocket: (url: string) => Socket;
   private readonly token: string;
-  private readonly joinCode: string;
+  private joinCode: string;
   private readonly channelKinds: readonly string[];
   private readonly areaOfInterest: AreaOfInterest | undefined;
   private readonly precision: Precision | undefined;
   private readonly wantsJoints: boolean;
-  private readonly identity: { readonly name: string; readonly color?: number };
+  private identity: { readonly name: string; readonly color?: number };
   private readonly subscriptions: { readonly players: boolean; readonly attributes: boolean; readonly topics: string[] };
 
   constructor(options: ConnectionOptions) {
@@ -238,18 +240,30 @@ export class Connection {
     this.areaOfInterest = options.areaOfInterest;
     this.precision = options.precision;
     this.wantsJoints = options.joints ?? false;
-    this.identity = { name: options.name ?? 'browser', ...(options.color === undefined ? {} : { color: options.color }) };
+    this.identity = identityOf(options.name, options.color);
     this.subscriptions = { players: options.players ?? false, attributes: options.attributes ?? false, topics: [...(options.topics ?? [])] };
   }
 
   /**
    * Leaves the current world, if any, and joins a world by id or name; empty: the server's first world.
+   * `joinCode`: of a private room; default: the last one.
    */
-  join(world: string): void {
+  join(world: string, joinCode = this.joinCode): void {
     this.stop();
     this.world = world;
+    this.joinCode = joinCode;
     this.attempt = 0;
     this.connect();
+  }
+
+  /**
+   * Changes the display name, at most 32 bytes, and the color 0xRRGGBB of the player. The name also changes in the
+   * current world; the color is that of the next world.
+   */
+  setIdentity(name: string, color?: number): void {
+    const renamed = name !== this.identity.name;
+    this.identity = identityOf(name, color);
+    if (renamed) this.send({ kind: { case: 'rename', value: { name } } });
   }
 
   /** Subscribes to events. The subscription is part of Hello, so a change rejoins the world. */
@@ -287,9 +301,12 @@ export class Connection {
     predictionListener.controlledEntity(this.controlledEntity.newest);
   }
 
-  /** Sends an input; does nothing unless the state is `playing`. */
-  send(original: Input): void {
-    if (this.state !== 'playing') return;
+  /**
+   * Sends an input; does nothing unless the state is `playing`. Returns its sequence number, which
+   * InputResult.sequence repeats; 0: not sent.
+   */
+  send(original: Input): number {
+    if (this.state !== 'playing') return 0;
     const now = nowUs();
     const tick = this.predictionListener && this.inputClock.ready ? this.inputClock.tick(now) : 0;
     const input = this.withViewTime(tick > 0 ? { ...original, tick } : original);
@@ -297,10 +314,12 @@ export class Connection {
     const last = this.inputs.last;
     if (input.kind?.case === 'drag' && last?.kind?.case === 'drag' && last.tick === input.tick) this.inputs.replaceLast(input);
     else this.inputs.push(input);
-    this.predictionListener?.input(this.inputs.newest, tick, input);
+    const sequence = this.inputs.newest;
+    this.predictionListener?.input(sequence, tick, input);
     // Waiting for the next batch would need a larger input lead. Several inputs of one tick share a batch.
     if (tick > 0 && now - this.lastBatch >= this.inputClock.halfTickUs) this.sendInputs(now);
     else if (tick === 0) this.sendSoon(now);
+    return sequence;
   }
 
   /** Sends the inputs of this task at once, unless the last batch was sent a short time ago. */

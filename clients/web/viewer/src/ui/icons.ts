@@ -24,6 +24,11 @@ const PATHS = {
   build: 'M4 20l9-9M11 9l4 4 5-5-4-4zM4 20h4',
   joint: 'M7 15a3 3 0 1 0 .1 0M17 3a3 3 0 1 0 .1 0M9.200 15.800 14.900 8.200',
   close: 'M6 6l12 12M18 6 6 18',
+  players: 'M9 5a3.200 3.200 0 1 0 .1 0M3 20c0-4 2.500-6 6-6s6 2 6 6M16 5.500a3 3 0 0 1 0 5.800M17.500 14.300c2.300.6 3.500 2.500 3.500 5.700',
+  chat: 'M4 5h16v11H10l-4 4v-4H4zM8 9h8M8 12h5',
+  share: 'M14 4h6v6M20 4l-8 8M10 5H5v14h14v-5',
+  edit: 'M4 20l1-5L16 4l4 4L9 19zM13 7l4 4',
+  more: 'M5 11.500a.6.6 0 1 0 .1 0M12 11.500a.6.6 0 1 0 .1 0M19 11.500a.6.6 0 1 0 .1 0',
 } as const;
 
 export type IconName = keyof typeof PATHS;

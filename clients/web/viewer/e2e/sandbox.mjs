@@ -4,6 +4,7 @@
 
 import { readFileSync } from 'node:fs';
 import { checkAccessibility, layoutProblems } from './acceptance.mjs';
+import { setName } from './chromium.mjs';
 
 const WIDE = { width: 1440, height: 900 };
 const PHONE = { width: 390, height: 844 };
@@ -35,6 +36,7 @@ export async function testSandbox({ browser, url, post, until, expect, screensho
   const errors = [];
   const open = async (options) => {
     const context = await browser.newContext({ acceptDownloads: true, ...options });
+    await setName(context);
     const page = await context.newPage();
     page.setDefaultTimeout(60_000);
     page.on('pageerror', (error) => errors.push(String(error)));

@@ -8,6 +8,7 @@
 #include <cstdint>
 
 #include "jostle/base/check.h"
+#include "jostle/v1/scene.pb.h"
 
 namespace jostle::server {
 
@@ -26,6 +27,18 @@ std::string encode_header(int field_number, std::string_view own, std::size_t sh
     ASSERT(header.size() >= 2 && header.size() <= bytes.size());
     header += own;
     return header;
+}
+
+v1::BodyType to_message(physics::BodyType type) {
+    switch (type) {
+        case physics::BodyType::static_body:
+            return v1::BODY_TYPE_STATIC;
+        case physics::BodyType::kinematic:
+            return v1::BODY_TYPE_KINEMATIC;
+        case physics::BodyType::dynamic:
+            return v1::BODY_TYPE_DYNAMIC;
+    }
+    return v1::BODY_TYPE_UNSPECIFIED;
 }
 
 }  // namespace jostle::server

@@ -114,10 +114,12 @@ private:
                                    ApproachTest::by_velocity_or_path);
             if (!touches) return;
         }
-        // All copies overlap from the start. A body that forces pull through the other one within
-        // the step stays where it is.
+        // All copies overlap from the start. A body that forces pull through a wall within the step
+        // stays where it is. Two dynamic bodies may move through each other: the contact solver
+        // pushes them apart, and neither would ever move if both stayed.
         const double thin = other_is_thinner ? cold_other.inner_radius : cold.inner_radius;
         const bool passes =
+            cold_other.type != BodyType::dynamic &&
             length(t_.sweep.translation - path_.translation) * (1 - pair.from) > thin;
         record(pair, pair.from, points_at(pair, pair.from),
                passes ? ApproachTest::by_path : ApproachTest::by_velocity_and_path);
@@ -292,12 +294,14 @@ void find_impact(ToiState& state, std::size_t index) {
 void find_impacts(ToiState& state, ImpactQueue& queue) {
     state.search_round++;
     const std::vector<std::size_t>& to_search = state.to_search;
+    int sweeps = 0;
     for (const std::size_t k : to_search) {
         ToiBody& t = state.bodies[k];
         if (!t.checked) t.full_search_round = state.search_round;
-        state.world.profile.sweeps +=
-            static_cast<int>(t.checked ? t.deflected_bodies.size() : t.candidates.size());
+        sweeps += static_cast<int>(t.checked ? t.deflected_bodies.size() : t.candidates.size());
     }
+    state.world.profile.sweeps += sweeps;
+    if (state.search_round > 1) state.world.profile.sweeps_after_impacts += sweeps;
     state.step.thread_pool.run(static_cast<int>(to_search.size()), 1, [&](int begin, int end) {
         for (int k = begin; k < end; k++)
             find_impact(state, to_search[static_cast<std::size_t>(k)]);

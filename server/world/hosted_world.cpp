@@ -198,11 +198,6 @@ Status HostedWorld::apply_and_record(const Command& command, InputResult& result
         resolved = DeleteJointCommand{deletion->joint, joints_.find(deletion->joint)};
         action = &resolved;
     }
-    if (const auto* named = std::get_if<DeleteJointCommand>(&command.action);
-        named && named->joint != 0) {
-        resolved = DeleteJointCommand{named->joint, joints_.find(named->joint)};
-        action = &resolved;
-    }
     if (journal_enabled_)
         journal_.push_back({command.client, command.sequence,
                             status.ok() ? std::optional(*action) : std::nullopt});

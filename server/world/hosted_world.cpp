@@ -223,7 +223,12 @@ Result<JointInspection> HostedWorld::inspect_joint(std::uint32_t joint) {
 
 Status HostedWorld::apply_as_server(const Action& action) {
     InputResult result;
-    return apply_and_record({.client = scene_client, .action = action, .reply = {}}, result);
+    return apply_between_inputs(scene_client, action, result);
+}
+
+Status HostedWorld::apply_between_inputs(ClientId client, const Action& action,
+                                         InputResult& result) {
+    return apply_and_record({.client = client, .action = action, .reply = {}}, result);
 }
 
 void HostedWorld::remove_entities(std::span<const EntityId> entities) {

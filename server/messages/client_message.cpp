@@ -328,6 +328,10 @@ Result<ClientMessage> decode(const v1::InputBatch& batch) {
 
 }  // namespace
 
+Result<Action> decode_input(const v1::Input& input) {
+    return action_of(input);
+}
+
 bool looks_like_inputs(std::string_view bytes) {
     constexpr auto tag = static_cast<char>(v1::ClientMessage::kInputFieldNumber << 3 | 2);
     return !bytes.empty() && bytes.front() == tag;

@@ -7,8 +7,8 @@
 #include <cstddef>
 #include <optional>
 
-#include "server/world/apply_action.h"
 #include "server/world/command.h"
+#include "server/world/hosted_state.h"
 #include "server/world/room_permissions.h"
 
 namespace jostle::server {

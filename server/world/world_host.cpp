@@ -85,6 +85,7 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
                 : properties_.is_room
                     ? std::make_shared<Timeline>(properties_.hz, start.world_journal == nullptr)
                     : nullptr),
+      reports_(start.reports ? std::move(start.reports) : std::make_shared<PlayerReports>()),
       world_journal_(std::move(start.world_journal)),
       // A world without ticks of its own does not depend on measured times.
       queries_(settings.own_ticks ? settings.query_copy_share / properties_.hz : 0),
@@ -269,6 +270,7 @@ void WorldHost::run_tick(Clock::time_point due, std::uint32_t late_ticks) {
     const bool sends_results = !world_journal_ || (refusal && !applies_data);
     publish(frame, sends_results);
     if (world_journal_) persist_published(frame->step_ms, sends_results);
+    reports_->add_from(*frame, properties_.label, began);
     serve_queries();  // after the frame, which has priority
     single_step_.end_tick();
     grant_room_requests(room_requests);

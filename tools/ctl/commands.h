@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,14 @@ struct CommandArguments {
     bool is_text = false, removes = false;
     std::string role, topic = "chat", text;
     std::vector<std::uint32_t> recipients;  // of a message; empty: all players
+    // Of bodies and joints.
+    std::uint32_t entity = 0, joint = 0, entity_a = 0, entity_b = 0, percent = 100;
+    std::vector<double> position, rotation, velocity, angular_velocity, offset{0, 0, 0};
+    std::optional<double> mass, density, friction, restitution, gravity_scale;
+    std::string color, kind;
+    bool freeze = false, unfreeze = false, jointed = false, collides = false, newest = false;
+    std::vector<double> axis, limit, motor;
+    double break_force = 0, break_torque = 0;
     bool json = false;
 };
 

@@ -169,6 +169,13 @@ async function testList({ wide, phone, until, expect, take }) {
   await phone.locator('#context-menu button', { hasText: 'Report' }).tap();
   await phone.locator('#context-menu button', { hasText: 'Spam' }).tap();
   await until('the report is confirmed', async () => (await people(phone)).lines.some(({ text }) => /^You reported Ann to the server/.test(text)));
+  await until('the server lists the report', async () => {
+    const { reports } = await wide.evaluate(async () => {
+      const request = { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: '{}' };
+      return (await fetch('api/admin/ListReports', request)).json();
+    });
+    return reports.some(({ name, reason, from }) => name === 'Ann' && reason === 'Spam' && from > 0);
+  });
   await phone.locator('#players .close').tap();
 }
 

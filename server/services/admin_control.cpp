@@ -376,12 +376,7 @@ Status AdminControl::get_room(const v1::GetRoomRequest& request, v1::GetRoomResp
         member.set_muted(client.muted_until != 0);
         member.set_removed(client.removed);
     }
-    for (const RoomBan& from : room->bans) {
-        v1::RoomBan& ban = *response.add_bans();
-        ban.set_member(from.member);
-        ban.set_reason(from.reason);
-        ban.set_permanent(from.until == 0);
-    }
+    for (const RoomBan& ban : room->bans) write_ban(*response.add_bans(), ban);
     if (!room->vote) return {};
     response.set_vote_target(room->vote->target);
     response.set_votes(static_cast<std::uint32_t>(room->vote->clients.size()));

@@ -55,8 +55,8 @@ export class BuildPanel {
     show();
     const line = document.createElement('div');
     line.className = 'slider';
-    line.append(input, text);
     const row = field('Size', input);
+    line.append(input, text);
     row.append(line);
     return row;
   }

@@ -297,6 +297,7 @@ Result<ClientMessage> decode(const v1::Hello& hello) {
                                .resumable = hello.resumable(),
                                .resume = std::move(resume),
                                .joints = hello.joints(),
+                               .room = hello.room(),
                                .players = hello.players(),
                                .attributes = hello.attributes(),
                                .topics = {hello.topics().begin(), hello.topics().end()},

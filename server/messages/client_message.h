@@ -52,6 +52,7 @@ struct Hello {
     };
     std::optional<Resume> resume = {};
     bool joints = false;
+    bool room = false;
     bool players = false, attributes = false;
     std::vector<std::string> topics = {};  // of user messages; "*": all
     std::optional<std::uint32_t> color = {};

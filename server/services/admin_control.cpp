@@ -397,12 +397,7 @@ Status AdminControl::get_room(const v1::GetRoomRequest& request, v1::GetRoomResp
         member.set_muted(client.muted_until != 0);
         member.set_removed(client.removed);
     }
-    for (const RoomBan& from : room->bans) {
-        v1::RoomBan& ban = *response.add_bans();
-        ban.set_member(from.member);
-        ban.set_reason(from.reason);
-        ban.set_permanent(from.until == 0);
-    }
+    for (const RoomBan& ban : room->bans) write_ban(*response.add_bans(), ban);
     const FramePtr frame = (*world)->frame();
     response.set_speed_percent(frame->speed_percent);
     if (frame->restorable_ticks)

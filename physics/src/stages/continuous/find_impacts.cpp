@@ -20,12 +20,15 @@ namespace {
 // The approach that makes a touch an impact. The path of a gyroscopic body may approach although
 // its velocities do not. Such an impact has no impulse, but a new sweep starts from there.
 // The contact solver pushes overlapping bodies apart: their path separates although their velocity
-// may approach.
+// may approach. Forces may press two dynamic bodies through each other and turn their velocity
+// round within the step. If they do not, overlapping bodies fly on, and the contact solver pushes
+// them apart: if each step stopped them at its start, they would stay in the air.
 enum class ApproachTest : std::uint8_t {
     by_velocity_or_path,
     by_velocity,
     by_path,
     by_velocity_and_path,
+    by_velocity_and_path_or_forces,
     at_bouncing_speed
 };
 
@@ -114,15 +117,15 @@ private:
                                    ApproachTest::by_velocity_or_path);
             if (!touches) return;
         }
-        // All copies overlap from the start. A body that forces pull through a wall within the step
-        // stays where it is. Two dynamic bodies may move through each other: the contact solver
-        // pushes them apart, and neither would ever move if both stayed.
+        // All copies overlap from the start. A body that forces pull through the other one within
+        // the step stays where it is.
         const double thin = other_is_thinner ? cold_other.inner_radius : cold.inner_radius;
         const bool passes =
-            cold_other.type != BodyType::dynamic &&
             length(t_.sweep.translation - path_.translation) * (1 - pair.from) > thin;
         record(pair, pair.from, points_at(pair, pair.from),
-               passes ? ApproachTest::by_path : ApproachTest::by_velocity_and_path);
+               !passes                                ? ApproachTest::by_velocity_and_path
+               : cold_other.type == BodyType::dynamic ? ApproachTest::by_velocity_and_path_or_forces
+                                                      : ApproachTest::by_path);
     }
 
     std::vector<ImpactPoint> points_at(const SweptPair& pair, double fraction) const {
@@ -214,6 +217,10 @@ private:
                 case ApproachTest::by_path:
                     closes |= centers < -least * state_.step.dt;
                     break;
+                case ApproachTest::by_velocity_and_path_or_forces:
+                    closes |= centers < -least * state_.step.dt &&
+                              dot(speed_b.v - speed_a.v, p.normal) > 0;
+                    [[fallthrough]];
                 case ApproachTest::by_velocity_and_path:
                     closes |= by_velocity && centers < 0;
                     break;

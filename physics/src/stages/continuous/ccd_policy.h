@@ -18,9 +18,9 @@ inline bool had_contacts(const ContactScratch& scratch, const BodyCold& cold) {
     return cold.set == BodySet::sleeping || (cold.at < held.size() && held[cold.at] != 0);
 }
 
-// Returns whether this step has had more sweeps of deflected bodies than a crowd of flying bodies
-// needs. Where dozens of bodies overlap, each impact changes the candidates of all others, and the
-// sweeps would not end. `bouncing`: of pairs that bounce.
+// Returns whether this step has had more sweeps after impacts than a crowd of flying bodies needs.
+// Where dozens of bodies overlap, each impact changes the candidates of all others, and the sweeps
+// would not end. `bouncing`: whether bodies may bounce, which needs the time of the impact.
 inline bool exceeds_sweeps(const WorldState& world, bool bouncing) {
     const int least = bouncing ? tuning::min_bounce_sweep_limit : tuning::min_sweep_limit,
               per_body = bouncing ? tuning::bounce_sweeps_per_body : tuning::sweeps_per_body;

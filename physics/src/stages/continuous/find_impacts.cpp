@@ -308,7 +308,7 @@ void find_impacts(ToiState& state, ImpactQueue& queue) {
         sweeps += static_cast<int>(t.checked ? t.deflected_bodies.size() : t.candidates.size());
     }
     state.world.profile.sweeps += sweeps;
-    if (state.search_round > 1) state.world.profile.sweeps_after_impacts += sweeps;
+    if (state.world.profile.impacts > 0) state.world.profile.sweeps_after_impacts += sweeps;
     state.step.thread_pool.run(static_cast<int>(to_search.size()), 1, [&](int begin, int end) {
         for (int k = begin; k < end; k++)
             find_impact(state, to_search[static_cast<std::size_t>(k)]);

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the functions that apply actions share: the state, the client, and checks that several kinds
-// of actions need. On the thread that owns the world.
+// Context of the functions that apply actions: the state, the client, and checks for several kinds
+// of actions. On the thread that owns the world.
 #pragma once
 
 #include <span>

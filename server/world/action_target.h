@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What an action of a client touches and adds: the input of permissions, protected areas and quotas
-// of a room. Computed before the action, from the state of the world.
+// Targets of an action of a client, and the objects and energy that it adds: the input of
+// permissions, protected areas and quotas of a room. Computed before the action, from the state of
+// the world.
 #pragma once
 
 #include <cstddef>

@@ -2,7 +2,8 @@
 // administrator. It polls GetServerStatus once per second.
 
 import { AdminApi, CallError, type Ban, type ClientInfo, type LogLine, type Report, type Room, type RoomMember, type ServerStatus, type WorldInfo } from './api';
-import { button, element, isInUse, showTable } from './dom';
+import { element } from '../ui/elements';
+import { button, isInUse, showTable } from './dom';
 import { duration, Rates, shortNumber, type Rate } from './rates';
 import './style.css';
 

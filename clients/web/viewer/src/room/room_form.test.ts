@@ -1,7 +1,8 @@
 import { create } from '@bufbuild/protobuf';
 import { RoomSettingsSchema } from '@jostle/client/gen/room_pb';
+import { readFileSync } from 'node:fs';
 import { expect, it } from 'vitest';
-import { fieldOfProblem, fieldsOf, reachIn, replacedCount, setQuota, setReach, settingsOf } from './room_form';
+import { defaultQuota, fieldOfProblem, fieldsOf, reachIn, replacedCount, setQuota, setReach, settingsOf, type Quota } from './room_form';
 
 const settings = create(RoomSettingsSchema, { title: 'Night race', tags: ['race', 'cars'], capacity: 6, joinCode: 'sesame', initialRole: 'player', permissions: { 'player.explode': 'none' }, areas: [{ name: 'start' }] });
 
@@ -31,4 +32,13 @@ it('finds the field of a problem', () => {
   expect(fieldOfProblem('room.join_code contains control characters')).toBe('joinCode');
   expect(fieldOfProblem('room.permissions: player.settings is none; the role player may not settings')).toBe('permissions');
   expect(fieldOfProblem('too many inputs')).toBeUndefined();
+});
+
+it('has the quotas of the server', () => {
+  const page = readFileSync(new URL('../../../../../docs/guides/operator/rooms.md', import.meta.url), 'utf8');
+  const rows = [...page.matchAll(/^\| `([a-z_]+)` \| ([0-9,]+) \| ([0-9,]+) \|/gm)];
+  expect(rows.map(([, quota]) => quota)).toEqual(['bodies', 'joints', 'energy_per_second', 'explosions_per_minute']);
+  const number = (text: string) => Number(text.replaceAll(',', ''));
+  for (const [, quota, player, builder] of rows)
+    expect([defaultQuota('player', quota as Quota), defaultQuota('builder', quota as Quota)], quota).toEqual([number(player!), number(builder!)]);
 });

@@ -11,6 +11,7 @@ import { vectorText } from '../sandbox/describe_inspected';
 import type { RoomCommand } from './room';
 import { defaultQuota, fieldOfProblem, fieldsOf, QUOTAS, reachIn, replacedCount, setQuota, setReach, settingsOf, type Quota, type RoomFields } from './room_form';
 import { ACTION_NAMES, ACTIONS, defaultReach, REACHES, ROLES, type Reach, type Role, type RoomRules } from './room_rules';
+import { button, element } from '../ui/elements';
 
 const CONFIRM_MS = 4000;
 const AREA_MARGIN = 1; // m around the selected body
@@ -28,20 +29,6 @@ export interface RoomPanelOptions {
 }
 
 type Problem = HTMLParagraphElement;
-
-function element<K extends keyof HTMLElementTagNameMap>(tag: K, text = '', className = ''): HTMLElementTagNameMap[K] {
-  const created = document.createElement(tag);
-  created.textContent = text;
-  if (className) created.className = className;
-  return created;
-}
-
-function button(text: string, run: () => void, className = ''): HTMLButtonElement {
-  const created = element('button', text, className);
-  created.type = 'button';
-  created.onclick = run;
-  return created;
-}
 
 function problemOf(name: string): Problem {
   const problem = element('p', '', 'problem');

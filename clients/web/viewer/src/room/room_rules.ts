@@ -1,5 +1,5 @@
-// What a client may do in its world: the table of permissions of a room, with the entries that the room
-// replaces (docs/guides/operator/rooms.md). The server decides; the viewer disables what it would refuse.
+// Permissions of a client in its world: the table of a room, with the entries that the room replaces
+// (docs/guides/operator/rooms.md). The server decides; the viewer disables the actions that it would refuse.
 
 import { PlayerRole } from '@jostle/client/gen/play_pb';
 import type { RoomUpdate } from '@jostle/client/gen/room_pb';

@@ -4,6 +4,7 @@
 import type { WorldStats } from '@jostle/client/gen/play_pb';
 import type { Action } from '../room/room_rules';
 import type { SandboxCommands } from './sandbox_commands';
+import { button } from '../ui/elements';
 
 const SPEEDS = [100, 50, 25, 10, 5]; // percent
 const CONFIRM_MS = 4000;
@@ -119,14 +120,6 @@ export class TimePanel {
 
 export function secondsAgo(now: number, tick: number, hz: number): string {
   return (Math.max(0, now - tick) / hz).toFixed(1);
-}
-
-function button(text: string, run: () => void): HTMLButtonElement {
-  const element = document.createElement('button');
-  element.type = 'button';
-  element.textContent = text;
-  element.onclick = run;
-  return element;
 }
 
 function row(...elements: HTMLElement[]): HTMLElement {

@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "tools/ctl/build_commands.h"
 
-#include <google/protobuf/util/json_util.h>
-
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -10,7 +8,7 @@
 #include "jostle/scenes/scene_file.h"
 #include "tools/common/table.h"
 #include "tools/ctl/inspection_text.h"
-#include "tools/ctl/report.h"
+#include "tools/ctl/outcome.h"
 
 namespace jostle::ctl {
 
@@ -20,10 +18,6 @@ using Admin = v1::AdminService::Stub;
 using Query = v1::QueryService::Stub;
 
 namespace {
-
-Outcome usage_error(std::string message) {
-    return {.error = std::move(message), .is_usage_error = true};
-}
 
 void write(v1::Vec3& to, const std::vector<double>& from) {
     to.set_x(from.at(0)), to.set_y(from.at(1)), to.set_z(from.at(2));
@@ -36,14 +30,6 @@ Result<v1::ApplyInputResponse> apply(Connection& server, const CommandArguments&
     request.set_client(client);
     *request.mutable_input() = input;
     return server.call(&Admin::ApplyInput, request);
-}
-
-// Returns the sentence of `describe`, or with --json the response itself.
-template <class Response, class Describe>
-Outcome outcome_of(const Result<Response>& response, const CommandArguments& arguments,
-                   const Describe& describe) {
-    if (!response.ok()) return {.error = response.error().message};
-    return {.text = arguments.json ? json_text(*response) : describe(*response) + "\n"};
 }
 
 // "ff8000" or "#ff8000"
@@ -144,20 +130,6 @@ Status write_joint(v1::Joint& joint, const CommandArguments& a) {
     return {};
 }
 
-Result<v1::GetRoomResponse> get_room(Connection& server, const CommandArguments& arguments) {
-    v1::GetRoomRequest request;
-    request.set_world(arguments.world);
-    return server.call(&Admin::GetRoom, request);
-}
-
-Result<v1::ModerateRoomResponse> command_room(Connection& server, const CommandArguments& arguments,
-                                              const v1::RoomInput& command) {
-    v1::ModerateRoomRequest request;
-    request.set_world(arguments.world);
-    *request.mutable_command() = command;
-    return server.call(&Admin::ModerateRoom, request);
-}
-
 }  // namespace
 
 Outcome inspect(Connection& server, const CommandArguments& arguments) {
@@ -168,7 +140,7 @@ Outcome inspect(Connection& server, const CommandArguments& arguments) {
     else
         request.set_entity(arguments.entity);
     const auto response = server.call(&Query::Inspect, request);
-    if (!response.ok()) return {.error = response.error().message};
+    if (!response.ok()) return server_error(response.error());
     return {.text = arguments.json ? json_text(*response) : inspection_text(*response)};
 }
 
@@ -191,7 +163,7 @@ Outcome edit(Connection& server, const CommandArguments& a) {
     if (a.gravity_scale) edit.set_gravity_scale(*a.gravity_scale);
     if (!a.color.empty()) {
         const Result<std::uint32_t> color = parse_color(a.color);
-        if (!color.ok()) return usage_error(color.error().message);
+        if (!color.ok()) return usage_error(color.error());
         edit.set_color(*color);
     }
     if (a.freeze || a.unfreeze) edit.set_frozen(a.freeze);
@@ -216,8 +188,7 @@ Outcome create_joint(Connection& server, const CommandArguments& a) {
     v1::CreateJointInput& create = *input.mutable_create_joint();
     create.set_entity_a(a.entity_a);
     create.set_entity_b(a.entity_b);
-    if (Status s = write_joint(*create.mutable_joint(), a); !s.ok())
-        return usage_error(s.error().message);
+    if (Status s = write_joint(*create.mutable_joint(), a); !s.ok()) return usage_error(s.error());
     return outcome_of(apply(server, a, input), a, [&](const auto& response) {
         return "joint " + std::to_string(response.joint()) + " connects " +
                (a.entity_a == 0 ? "the world" : "entity " + std::to_string(a.entity_a)) +
@@ -243,61 +214,6 @@ Outcome undo_newest(Connection& server, const CommandArguments& a) {
                 : response.joint() != 0 ? "; it concerned joint " + std::to_string(response.joint())
                                         : std::string());
     });
-}
-
-Outcome set_room_speed(Connection& server, const CommandArguments& a) {
-    v1::RoomInput command;
-    command.mutable_speed()->set_percent(a.percent);
-    return outcome_of(command_room(server, a, command), a, [&](const auto&) {
-        return sanitized(a.world) + " runs at " + std::to_string(a.percent) + " % of real time";
-    });
-}
-
-Outcome rewind_room(Connection& server, const CommandArguments& a) {
-    v1::RoomInput command;
-    command.mutable_rewind()->set_tick(a.tick);
-    return outcome_of(command_room(server, a, command), a, [&](const auto&) {
-        return sanitized(a.world) + " continues from its state after tick " +
-               std::to_string(a.tick) + "; clients resume their sessions";
-    });
-}
-
-Outcome list_restorable_ticks(Connection& server, const CommandArguments& a) {
-    const auto room = get_room(server, a);
-    if (!room.ok()) return {.error = room.error().message};
-    v1::GetRoomResponse ticks;
-    ticks.set_speed_percent(room->speed_percent());
-    *ticks.mutable_restorable_ticks() = room->restorable_ticks();
-    if (a.json) return {.text = json_text(ticks)};
-    if (ticks.restorable_ticks().empty())
-        return {.text =
-                    "The room has no timeline. Set timelineSeconds in its settings: jostlectl "
-                    "room update.\n"};
-    std::string text;
-    for (const std::uint32_t tick : ticks.restorable_ticks()) text += std::to_string(tick) + "\n";
-    return {.text = text};
-}
-
-Outcome write_room_settings(Connection& server, const CommandArguments& a) {
-    const auto room = get_room(server, a);
-    if (!room.ok()) return {.error = room.error().message};
-    google::protobuf::util::JsonPrintOptions options;
-    options.add_whitespace = true;
-    std::string text;
-    if (!google::protobuf::util::MessageToJsonString(room->settings(), &text, options).ok())
-        return {.error = "the settings of the room have no JSON form"};
-    if (Status s = write_file(a.file, text); !s.ok()) return usage_error(s.error().message);
-    if (a.file == "-") return {};
-    return {.text = a.file + " has the settings of " + sanitized(a.world) +
-                    ", without the join code\n"};
-}
-
-Outcome list_reports(Connection& server, const CommandArguments& a) {
-    v1::ListReportsRequest request;
-    request.set_world(a.world);
-    const auto response = server.call(&Admin::ListReports, request);
-    if (!response.ok()) return {.error = response.error().message};
-    return {.text = a.json ? json_text(*response) : reports_text(*response)};
 }
 
 }  // namespace jostle::ctl

@@ -70,18 +70,6 @@ Outcome undo(Connection& server, const CommandArguments& arguments);
 Outcome backup(Connection& server, const CommandArguments& arguments);
 // Removes the bodies that `client` spawned in `world`.
 Outcome remove_bodies(Connection& server, const CommandArguments& arguments);
-Outcome show_room(Connection& server, const CommandArguments& arguments);
-// Moderation of the room of `world`.
-Outcome set_room_role(Connection& server, const CommandArguments& arguments);
-Outcome kick_from_room(Connection& server, const CommandArguments& arguments);
-Outcome ban_from_room(Connection& server, const CommandArguments& arguments);
-Outcome unban_from_room(Connection& server, const CommandArguments& arguments);
-Outcome mute(Connection& server, const CommandArguments& arguments);
-Outcome clean_up(Connection& server, const CommandArguments& arguments);
-Outcome protect(Connection& server, const CommandArguments& arguments);
-Outcome unprotect(Connection& server, const CommandArguments& arguments);
-Outcome update_room(Connection& server, const CommandArguments& arguments);
-Outcome reset(Connection& server, const CommandArguments& arguments);
 // Players, attributes and messages of `world`.
 Outcome list_players(Connection& server, const CommandArguments& arguments);
 Outcome set_role(Connection& server, const CommandArguments& arguments);

@@ -8,6 +8,7 @@
 #include "clients/cpp/cli/security_flags.h"
 #include "tools/ctl/build_commands.h"
 #include "tools/ctl/commands.h"
+#include "tools/ctl/room_commands.h"
 
 namespace {
 

@@ -30,9 +30,10 @@ TEST_P(SaveLoad, continues_bit_identically) {
         if (step % 100 == 37) copy = again(original);
         for (World* world : {&original, &first}) play(*world, step);
         if (copy) play(*copy, step);
-        if (step % 100 == 99)
+        if (step % 100 == 99) {
             ASSERT_EQ(state_hash(original), state_hash(first))
                 << "step " << step << ": " << first_difference(original, first).value_or("");
+        }
         if (step % 100 == 26 && copy) {
             ASSERT_EQ(state_hash(original), state_hash(*copy))
                 << "step " << step << ": " << first_difference(original, *copy).value_or("");

@@ -80,15 +80,15 @@ TEST_F(CtlTest, suggests_the_nearest_command_flag_and_scene) {
     EXPECT_TRUE(complains("there is no scene \"domino\"; did you mean \"dominoes\"?")) << err;
 }
 
-// A height field of 490,000 samples: 4.4 MB as a message, more as JSON. gRPC's default limit is 4
+// A height field of 547,600 samples: 4.4 MB as a message, more as JSON. gRPC's default limit is 4
 // MiB.
 TEST_F(CtlTest, creates_again_what_it_exported_beyond_4_mib) {
     {
         std::ofstream scene(file("big.json"));
-        const int n = 700;
+        const int n = 740;
         scene
             << R"({"name": "big", "bodies": [{"type": "BODY_TYPE_STATIC", "shapes": [{)"
-            << R"("height_field": {"columns": 700, "rows": 700, "spacing_x": 0.1, "spacing_z": 0.1, )"
+            << R"("height_field": {"columns": 740, "rows": 740, "spacing_x": 0.1, "spacing_z": 0.1, )"
             << R"("heights": [)" << std::setprecision(17);
         for (int k = 0; k < n * n; k++)
             scene << (k == 0 ? "" : ",") << (k / n * 13 + k % n * 7) % 101 / 997.0;

@@ -67,7 +67,7 @@ Result<Ban> read_ban(const json& entry) {
     if (!entry.is_object()) return invalid_argument("it is not an object");
     for (const auto& [name, value] : entry.items())
         if (std::ranges::find(names, name) == names.end())
-            return invalid_argument("it has the unknown member " + server::quoted(name));
+            return invalid_argument("it has the unknown member " + server::in_quotes(name));
     Ban ban;
     for (const auto& [name, field] : {std::pair("subject", &ban.target.subject),
                                       std::pair("reason", &ban.reason), std::pair("by", &ban.by)}) {

@@ -26,7 +26,7 @@ Result<ProtectedArea> area_from_message(const v1::ProtectedArea& message) {
     if (!role)
         return invalid_argument(
             fmt::format("area.min_role is {}; it must be player, builder or owner",
-                        quoted(message.min_role(), 64)));
+                        in_quotes(message.min_role(), 64)));
     area.min_role = *role;
     return area;
 }
@@ -56,7 +56,7 @@ Result<RoomProperties> room_from_message(const v1::RoomSettings& message) {
         if (!role)
             return invalid_argument(
                 fmt::format("room.initial_role is {}; it must be spectator, player or builder",
-                            quoted(message.initial_role(), 64)));
+                            in_quotes(message.initial_role(), 64)));
         room.initial_role = *role;
     }
     for (const auto& [key, value] : sorted(message.permissions()))

@@ -40,7 +40,7 @@ Result<scenes::SceneDescription> scene_of(const v1::CreateWorldRequest& request)
         if (entry) return *scenes::find_scene(entry->scene);
         return Error{ErrorCode::not_found,
                      fmt::format("there is no room template {}; ListWorlds lists the templates",
-                                 quoted(request.room_template(), 64))};
+                                 in_quotes(request.room_template(), 64))};
     }
     if (!request.has_scene_name()) {
         return Error{ErrorCode::invalid_argument,

@@ -163,7 +163,7 @@ void JoinedWorld::enter(const Hello& hello, DisconnectedClient* lost, Clock::tim
                             .spectator = hello.spectator,
                             .since = now},
                            host());
-    log_info("client {} {} of {} {} world {}{}", client_, quoted(hello.name), parts_.peer.name,
+    log_info("client {} {} of {} {} world {}{}", client_, in_quotes(hello.name), parts_.peer.name,
              lost ? "resumed in" : "joined", host().id(), hello.spectator ? " as a spectator" : "");
 }
 

@@ -36,13 +36,13 @@ Status check_room_access(const WorldHost& world, const Identity& who, std::strin
     if (is_owner_or_admin(*room, who, address)) return {};
     if (const RoomBan* const ban = room->ban_of(member_of(who, address)))
         return Error{ErrorCode::permission_denied,
-                     fmt::format("the room {} has banned the caller{}", quoted(world.name()),
+                     fmt::format("the room {} has banned the caller{}", in_quotes(world.name()),
                                  ban->reason.empty() ? "" : ": " + ban->reason)};
     const std::string& expected = room->properties.join_code;
     if (expected.empty() || has_ticket || join_code == expected) return {};
     return Error{ErrorCode::permission_denied,
                  fmt::format("join_code: the room {} is private, and the join code is {}",
-                             quoted(world.name()), join_code.empty() ? "missing" : "wrong")};
+                             in_quotes(world.name()), join_code.empty() ? "missing" : "wrong")};
 }
 
 std::uint32_t room_capacity(const WorldHost& world, const Identity& who, std::string_view address) {
@@ -56,7 +56,7 @@ Status check_room_capacity(const WorldHost& world, const SessionDirectory& sessi
     const std::uint32_t capacity = room_capacity(world, who, address);
     if (capacity == 0 || sessions.clients_in(world.id()) < static_cast<int>(capacity)) return {};
     return Error{ErrorCode::resource_exhausted,
-                 fmt::format("the room {} is full: {} clients", quoted(world.name()), capacity)};
+                 fmt::format("the room {} is full: {} clients", in_quotes(world.name()), capacity)};
 }
 
 }  // namespace jostle::server

@@ -13,7 +13,7 @@ Result<std::shared_ptr<WorldHost>> find_world(PlayContext& context, const std::s
     if (world) return world;
     return Error{ErrorCode::not_found, name.empty()
                                            ? "the server has no world"
-                                           : "hello.world: there is no world " + quoted(name)};
+                                           : "hello.world: there is no world " + in_quotes(name)};
 }
 
 // Players need the right to send inputs in addition to the right to connect.

@@ -24,7 +24,7 @@ Error bad_network(std::string_view text, const std::string& why) {
     return invalid_argument(fmt::format(
         "{} is not a network: {}; write an address such as 192.0.2.7 or 2001:db8::1, or a prefix "
         "such as 192.0.2.0/24 or 2001:db8::/48",
-        quoted(text), why));
+        in_quotes(text), why));
 }
 
 }  // namespace

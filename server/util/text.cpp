@@ -91,7 +91,7 @@ std::string printable(std::string_view text, std::size_t bytes_max) {
     return out;
 }
 
-std::string quoted(std::string_view text, std::size_t bytes_max) {
+std::string in_quotes(std::string_view text, std::size_t bytes_max) {
     std::string out = "\"";
     for (const char c : printable(text, bytes_max)) {
         if (c == '"') out += '\\';

@@ -18,7 +18,7 @@ std::string_view clip_utf8(std::string_view text, std::size_t bytes_max);
 std::string printable(std::string_view text, std::size_t bytes_max);
 
 // The same in double quotes. Quotes inside are escaped, so that the end is unambiguous.
-std::string quoted(std::string_view text, std::size_t bytes_max = 256);
+std::string in_quotes(std::string_view text, std::size_t bytes_max = 256);
 
 // Whether text contains a character that printable() escapes, other than a backslash: a control
 // character, a line separator, a mark that changes the direction of text, or invalid UTF-8.

@@ -94,8 +94,8 @@ void PlayerReports::log(const PlayerReport& report, const WorldLabel& world,
         not_logged_ > 0 ? fmt::format("; {} earlier reports were not logged", not_logged_) : "";
     not_logged_ = 0;
     log_info("world {} {}: client {} {} reports client {} {} in tick {}: {}{}", world.id,
-             quoted(world.name, 64), report.from, quoted(report.from_name, 64), report.client,
-             quoted(report.name, 64), report.tick, quoted(report.reason, 300), unlogged);
+             in_quotes(world.name, 64), report.from, in_quotes(report.from_name, 64), report.client,
+             in_quotes(report.name, 64), report.tick, in_quotes(report.reason, 300), unlogged);
 }
 
 std::vector<PlayerReport> PlayerReports::list() const {

@@ -162,7 +162,7 @@ Status Room::check_areas(const HostedState& world, const RoomClient& client,
             return denied(
                 fmt::format("the area {} is protected: it requires the role {}, and the "
                             "client has the role {}",
-                            quoted(area.name), name_of(area.min_role), name_of(client.role)));
+                            in_quotes(area.name), name_of(area.min_role), name_of(client.role)));
     return {};
 }
 
@@ -447,7 +447,7 @@ Status Room::apply(HostedState&, RoomClient* by, const UnbanMember& c) {
     const std::size_t removed =
         std::erase_if(state_.bans, [&](const RoomBan& ban) { return ban.member == c.member; });
     if (removed > 0) return {};
-    return Error{ErrorCode::not_found, "the room has no ban of " + quoted(c.member)};
+    return Error{ErrorCode::not_found, "the room has no ban of " + in_quotes(c.member)};
 }
 
 Status Room::apply(HostedState&, RoomClient* by, const MuteClient& c) {
@@ -497,7 +497,7 @@ Status Room::apply(HostedState&, RoomClient* by, const ProtectArea& c) {
     const auto at = std::ranges::find(areas, c.area.name, &ProtectedArea::name);
     if (at != areas.end()) {
         if (by && by->role < at->min_role)
-            return denied(fmt::format("the area {} requires the role {}", quoted(c.area.name),
+            return denied(fmt::format("the area {} requires the role {}", in_quotes(c.area.name),
                                       name_of(at->min_role)));
         *at = c.area;
         return {};
@@ -516,10 +516,10 @@ Status Room::apply(HostedState&, RoomClient* by, const UnprotectArea& c) {
     std::vector<ProtectedArea>& areas = state_.properties.areas;
     const auto at = std::ranges::find(areas, c.name, &ProtectedArea::name);
     if (at == areas.end())
-        return Error{ErrorCode::not_found, "the room has no area " + quoted(c.name)};
+        return Error{ErrorCode::not_found, "the room has no area " + in_quotes(c.name)};
     if (by && by->role < at->min_role)
-        return denied(
-            fmt::format("the area {} requires the role {}", quoted(c.name), name_of(at->min_role)));
+        return denied(fmt::format("the area {} requires the role {}", in_quotes(c.name),
+                                  name_of(at->min_role)));
     areas.erase(at);
     return {};
 }

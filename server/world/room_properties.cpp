@@ -35,7 +35,7 @@ Status check_tag(const std::string& tag) {
         return {};
     return invalid_argument(
         fmt::format("room.tags: {} is not a tag; a tag has 1 to {} characters of a-z, 0-9, _ and -",
-                    quoted(tag, 64), RoomProperties::tag_bytes_max));
+                    in_quotes(tag, 64), RoomProperties::tag_bytes_max));
 }
 
 // "player.explode": a role and the rest.
@@ -50,7 +50,7 @@ Result<RoleKey> parse_key(std::string_view field, const std::string& key) {
     return invalid_argument(
         fmt::format("{}: {} does not start with a role; use spectator, player, builder or owner "
                     "and a point, as in \"player.{}\"",
-                    field, quoted(key, 64), field == "room.quotas" ? "bodies" : "explode"));
+                    field, in_quotes(key, 64), field == "room.quotas" ? "bodies" : "explode"));
 }
 
 }  // namespace
@@ -75,7 +75,8 @@ Status check_area(const ProtectedArea& area) {
             return invalid_argument(fmt::format(
                 "area {}: min.{} is {:g} and max.{} is {:g}; min must not exceed max, and both "
                 "must be within {:g} m",
-                quoted(area.name), "xyz"[k], area.min[k], "xyz"[k], area.max[k], coordinate_max));
+                in_quotes(area.name), "xyz"[k], area.min[k], "xyz"[k], area.max[k],
+                coordinate_max));
     if (area.min_role == PlayerRole::unspecified)
         return invalid_argument("area.min_role is missing");
     return {};
@@ -115,7 +116,7 @@ Status check_properties(const RoomProperties& room) {
         for (std::size_t j = 0; j < i; j++)
             if (room.areas[i].name == room.areas[j].name)
                 return invalid_argument(fmt::format("room.areas[{}]: the name {} is taken", i,
-                                                    quoted(room.areas[i].name)));
+                                                    in_quotes(room.areas[i].name)));
     }
     return {};
 }
@@ -129,13 +130,13 @@ Status set_permission(RoomProperties& room, const std::string& key, const std::s
         for (std::size_t i = 0; i < room_actions; i++)
             names += (i == 0 ? "" : ", ") + std::string(name_of(static_cast<RoomAction>(i)));
         return invalid_argument(fmt::format("room.permissions: {} names no action; use one of {}",
-                                            quoted(key, 64), names));
+                                            in_quotes(key, 64), names));
     }
     const auto reach = parse_reach(value);
     if (!reach)
         return invalid_argument(
             fmt::format("room.permissions: {} is {}; it must be none, own, unowned or any",
-                        quoted(key, 64), quoted(value, 64)));
+                        in_quotes(key, 64), in_quotes(value, 64)));
     room.permissions.set(at->role, *action, *reach);
     return {};
 }
@@ -146,7 +147,7 @@ Status set_quota(RoomProperties& room, const std::string& key, double value) {
     if (!(0 <= value && value <= quota_max))
         return invalid_argument(
             fmt::format("room.quotas: {} is {:g}; it must be from 0 (unlimited) to {:g}",
-                        quoted(key, 64), value, quota_max));
+                        in_quotes(key, 64), value, quota_max));
     RoleQuotas& quotas = room.quotas[static_cast<std::size_t>(at->role)];
     if (at->name == "bodies")
         quotas.bodies = static_cast<std::uint32_t>(std::min(std::floor(value), 1e9));
@@ -160,7 +161,7 @@ Status set_quota(RoomProperties& room, const std::string& key, double value) {
         return invalid_argument(
             fmt::format("room.quotas: {} names no quota; use bodies, joints, energy_per_second or "
                         "explosions_per_minute",
-                        quoted(key, 64)));
+                        in_quotes(key, 64)));
     return {};
 }
 

@@ -9,7 +9,7 @@ namespace {
 TEST(Text, escapes_newlines) {
     EXPECT_EQ(printable("eve\n2026-01-01 error the moon fell\x1b[2J", 200),
               "eve\\n2026-01-01 error the moon fell\\x1b[2J");
-    EXPECT_EQ(quoted("a\" joined \"b"), "\"a\\\" joined \\\"b\"");
+    EXPECT_EQ(in_quotes("a\" joined \"b"), "\"a\\\" joined \\\"b\"");
 }
 
 TEST(Text, escapes_invalid_utf8_only) {

@@ -10,6 +10,7 @@ namespace jostle::server {
 namespace {
 
 constexpr auto poll_period = std::chrono::milliseconds(100);
+constexpr auto operator_poll_period = std::chrono::milliseconds(250);
 constexpr auto notice_flush_time = std::chrono::milliseconds(100);
 
 }  // namespace
@@ -43,7 +44,7 @@ void Shutdown::await_signal() {
 void Shutdown::await_operator() {
     if (begun_) return;
     if (context_->drain_requested) return begin();
-    operator_timer_.expires_after(poll_period);
+    operator_timer_.expires_after(operator_poll_period);
     operator_timer_.async_wait([this](const boost::system::error_code&) { await_operator(); });
 }
 

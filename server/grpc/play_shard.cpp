@@ -19,6 +19,9 @@ constexpr auto idle_shard_period = std::chrono::milliseconds(250);
 constexpr std::size_t plays_requested = 16;
 constexpr std::size_t streams_without_hello_max = 256;
 constexpr std::size_t streams_without_hello_of_address_max = 64;
+// An alarm for the current time would wait for the next millisecond and wake the threads of gRPC's
+// timers.
+const gpr_timespec long_ago = gpr_inf_past(GPR_CLOCK_MONOTONIC);
 
 }  // namespace
 
@@ -58,16 +61,17 @@ void PlayShard::request_call() {
 // An alarm that is due at once is gRPC's way to post an external event to a completion queue. Its
 // tag is null.
 void PlayShard::wake() {
+    if (streams() == 0) return;
     const std::lock_guard lock(wake_mutex_);
     if (stopping_ || awake_.exchange(true)) return;
-    alarm_.Set(queue_.get(), gpr_now(GPR_CLOCK_MONOTONIC), nullptr);
+    alarm_.Set(queue_.get(), long_ago, nullptr);
 }
 
 // Its tag is the alarm itself.
 void PlayShard::wake_for_datagrams() {
     const std::lock_guard lock(wake_mutex_);
     if (stopping_ || datagrams_came_.exchange(true)) return;
-    datagram_alarm_.Set(queue_.get(), gpr_now(GPR_CLOCK_MONOTONIC), &datagram_alarm_);
+    datagram_alarm_.Set(queue_.get(), long_ago, &datagram_alarm_);
 }
 
 void PlayShard::stop() {

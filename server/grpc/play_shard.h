@@ -38,7 +38,7 @@ public:
     void start(UnaryDispatcher* dispatcher);
     grpc::ServerCompletionQueue& queue() { return *queue_; }
     // Any thread: a world has a new frame, or the context has started to drain. Cheap if the shard
-    // is already awake.
+    // is already awake or has no stream.
     void wake();
     // Any thread: datagrams arrived for some of the streams.
     void wake_for_datagrams();

@@ -13,8 +13,9 @@ namespace jostle::server {
 
 namespace {
 
-// Period of checks for timeouts and watches.
+// Period of checks for timeouts and watches, and without calls.
 constexpr auto dispatcher_housekeeping_period = std::chrono::milliseconds(100);
+constexpr auto idle_dispatcher_period = std::chrono::seconds(1);
 // Calls that can arrive at the same time without waiting for the thread.
 constexpr int calls_requested = 16;
 // Queries and changes run at a lower priority than play streams.
@@ -186,6 +187,7 @@ void UnaryDispatcher::begin(Call& call) {
     ASSERT(!call.begun);
     call.begun = true;
     call.since = Clock::now();
+    due_ = std::min(due_, call.since + dispatcher_housekeeping_period);
     call.connection = connections_->of(call.context.peer());
     call.address = client_address(call.context, *call.connection, *connections_);
     call.connection->calls_accepted++;
@@ -337,7 +339,9 @@ void UnaryDispatcher::cancel_timed_out(Clock::time_point now) {
 
 void UnaryDispatcher::housekeep(Clock::time_point now) {
     if (now < due_) return;
-    due_ = now + dispatcher_housekeeping_period;
+    const bool is_idle = open_ == 0;
+    due_ = now + (is_idle ? Clock::duration(idle_dispatcher_period)
+                          : Clock::duration(dispatcher_housekeeping_period));
     if (stopping_) return;
     notify_watches();
     cancel_timed_out(now);

@@ -24,7 +24,7 @@ namespace jostle::server {
 
 namespace {
 
-constexpr int poll_period_ms = 50;
+constexpr int poll_period_ms = 50, idle_poll_period_ms = 250;
 constexpr int niceness = 5;
 constexpr auto handshake_max = std::chrono::seconds(5);
 constexpr int backlog = 1024;
@@ -101,8 +101,9 @@ void ConnectionAcceptor::run() {
     setpriority(PRIO_PROCESS, static_cast<id_t>(gettid()), niceness);
     std::array<epoll_event, 64> events;
     while (!stopping_) {
-        const int count =
-            epoll_wait(epoll_, events.data(), static_cast<int>(events.size()), poll_period_ms);
+        const bool is_idle = pending_handshakes_.empty() && Clock::now() >= accept_again_;
+        const int count = epoll_wait(epoll_, events.data(), static_cast<int>(events.size()),
+                                     is_idle ? idle_poll_period_ms : poll_period_ms);
         const Clock::time_point now = Clock::now();
         polled_at_ = now.time_since_epoch().count();
         for (int i = 0; i < count; i++) {

@@ -31,6 +31,8 @@ constexpr std::string_view wrong_port =
 // A trusted proxy sends the frames of as many clients as gRPC allows streams per connection.
 constexpr double clients_of_proxy = 100;
 constexpr auto sweep_period = std::chrono::milliseconds(20);
+// While no connection waits for a time; is_responsive() expects a poll each second.
+constexpr auto idle_sweep_period = std::chrono::milliseconds(250);
 // A tick makes gRPC write to all its clients within one or two milliseconds. Waking up for each
 // write would take 25 % more of the server's time; this delay batches many writes.
 constexpr auto batching_delay = std::chrono::microseconds(250);
@@ -154,8 +156,10 @@ void ConnectionRelay::run() {
     std::array<epoll_event, events_max> events;
     Clock::time_point swept{};
     for (;;) {
+        const bool is_idle = is_idle_ && waiting_.empty() && stop_at_ == 0;
+        const auto period = is_idle ? idle_sweep_period : sweep_period;
         const int count =
-            epoll_wait(epoll_, events.data(), events_max, static_cast<int>(sweep_period.count()));
+            epoll_wait(epoll_, events.data(), events_max, static_cast<int>(period.count()));
         const Clock::time_point now = Clock::now();
         polled_at_ = now.time_since_epoch().count();
         for (int i = 0; i < count; i++) {
@@ -174,7 +178,10 @@ void ConnectionRelay::run() {
             delete_closed();
             swept = now;
         }
-        if (count > 0) std::this_thread::sleep_for(batching_delay);
+        if (count > 0) {
+            is_idle_ = false;
+            std::this_thread::sleep_for(batching_delay);
+        }
         const Clock::rep stop_at = stop_at_;
         if (stop_at != 0 && (streams_.empty() || now.time_since_epoch().count() >= stop_at)) break;
     }
@@ -469,8 +476,13 @@ void ConnectionRelay::sweep(Clock::time_point now) {
                          largest->unread),
              now);
     }
-    for (const auto& [stream, owned] : streams_)
-        if (!stream->is_dead) update_interest(*stream, now);
+    is_idle_ = true;
+    for (const auto& [stream, owned] : streams_) {
+        if (stream->is_dead) continue;
+        update_interest(*stream, now);
+        is_idle_ &= stream->unread == 0 && stream->backlog == 0 && now >= stream->read_again &&
+                    stream->deadline == Clock::time_point{};
+    }
 }
 
 void ConnectionRelay::drop_largest_buffer(Stream& stream, Clock::time_point now) {

@@ -107,6 +107,7 @@ private:
     std::vector<std::uint8_t> up_, down_;  // scratch buffers of one transfer
     TokenBucket openings_;
     double buffered_total_ = 0, backlog_total_ = 0;
+    bool is_idle_ = false;  // at the last sweep no connection waited for a time; no event since
     std::atomic<std::uint64_t> dropped_{0};
     std::atomic<Clock::rep> polled_at_{0};
     std::atomic<Clock::rep> stop_at_{0};  // 0: not stopping

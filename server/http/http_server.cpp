@@ -92,8 +92,9 @@ struct HttpServer::Impl {
     // The sessions own themselves; these lists only refer to them.
     std::vector<std::weak_ptr<HttpSession>> http_sessions;
     std::vector<std::weak_ptr<WebSocketSession>> play_sessions;
-    std::size_t first = 0;           // the session that starts the next round
-    std::atomic<bool> awake{false};  // a wake-up is pending
+    std::size_t first = 0;                 // the session that starts the next round
+    std::atomic<bool> awake{false};        // a wake-up is pending
+    std::atomic<bool> has_players{false};  // play_sessions are not empty
     std::uint16_t bound_port = 0;
     std::thread thread;
 };
@@ -211,6 +212,7 @@ void HttpServer::Impl::begin_play(SocketStream stream, const WebSocketSession::R
     const auto session = std::make_shared<WebSocketSession>(
         context, overload, std::move(stream), std::move(peer), settings.message_bytes_max);
     play_sessions.push_back(session);
+    has_players = true;
     if (play_sessions.size() == 1) schedule_housekeeping();  // replaces the longer idle period
     session->start(request);
 }
@@ -230,6 +232,7 @@ void HttpServer::Impl::schedule_housekeeping() {
 // takes a while, so each client has its own time.
 void HttpServer::Impl::advance_all() {
     const std::size_t count = remove_closed(play_sessions);
+    has_players = count > 0;
     if (count == 0) return;
     first = (first + 1) % count;
     ASSERT(first < count);
@@ -300,7 +303,7 @@ std::uint16_t HttpServer::port() const {
 }
 
 void HttpServer::wake() {
-    if (impl_->awake.exchange(true)) return;
+    if (!impl_->has_players || impl_->awake.exchange(true)) return;
     asio::post(impl_->io, [impl = impl_.get()] {
         // before processing: a frame that arrives meanwhile wakes the thread again
         impl->awake = false;

@@ -480,8 +480,8 @@ void ConnectionRelay::sweep(Clock::time_point now) {
     for (const auto& [stream, owned] : streams_) {
         if (stream->is_dead) continue;
         update_interest(*stream, now);
-        is_idle_ &= stream->unread == 0 && stream->backlog == 0 && now >= stream->read_again &&
-                    stream->deadline == Clock::time_point{};
+        is_idle_ &= stream->deadline == Clock::time_point{} &&
+                    (stream->client_ended || may_read(*stream, now));
     }
 }
 

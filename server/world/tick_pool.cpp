@@ -38,8 +38,12 @@ std::shared_ptr<TickPool> TickPool::for_processors() {
 
 void TickPool::add_thread_if_stuck(Clock::time_point now) {
     const std::lock_guard lock(mutex_);
-    if (idle_ > 0 || has_watcher_ || waiting_.empty()) return;
-    if (now - waiting_.begin()->first > stuck_after) start_thread();
+    if (has_watcher_ || waiting_.empty()) return;
+    if (now - waiting_.begin()->first <= stuck_after) return;
+    if (idle_ > 0)
+        work_.notify_one();  // a tick takes longer than the one before
+    else
+        start_thread();
 }
 
 std::size_t TickPool::threads() const {
@@ -54,17 +58,15 @@ void TickPool::start_thread() {
 void TickPool::add(PooledLoop& loop) {
     const std::lock_guard lock(mutex_);
     insert(loop);
+    if (!has_watcher_ && idle_ > 0) work_.notify_one();
 }
 
+// If no thread waits for the next due time, the caller has to see to it.
 void TickPool::insert(PooledLoop& loop) {
     const auto [at, added] = waiting_.emplace(loop.wake_at_, &loop);
     ASSERT(added);
-    if (at != waiting_.begin()) return;
     // The thread that waits for the next due time waits for too long.
-    if (has_watcher_)
-        next_due_.notify_one();
-    else if (idle_ > 0)
-        work_.notify_one();
+    if (at == waiting_.begin() && has_watcher_) next_due_.notify_one();
 }
 
 void TickPool::remove(PooledLoop& loop) {
@@ -79,6 +81,7 @@ void TickPool::wake(PooledLoop& loop) {
     if (loop.runs_ || waiting_.erase({loop.wake_at_, &loop}) == 0) return;  // or it has ended
     loop.end_rest();
     insert(loop);
+    if (!has_watcher_ && idle_ > 0) work_.notify_one();
 }
 
 void TickPool::work() {
@@ -117,7 +120,7 @@ void TickPool::run_first(std::unique_lock<std::mutex>& lock) {
     lock.lock();
     loop.runs_ = false;
     if (continues && !loop.ends_)
-        insert(loop);
+        insert(loop);  // this thread continues with the first one
     else
         ended_.notify_all();
 }

@@ -48,8 +48,8 @@ public:
     // One thread per processor, but at least two, so that one long tick delays no other world.
     static std::shared_ptr<TickPool> for_processors();
 
-    // Adds a thread if all threads run ticks and a loop has waited for more than 50 ms: a world
-    // that hangs keeps its thread. Call it periodically.
+    // Wakes or adds a thread if a loop has waited for more than 50 ms: a world that hangs keeps its
+    // thread. Call it periodically.
     void add_thread_if_stuck(Clock::time_point now);
     std::size_t threads() const;
 

@@ -27,8 +27,8 @@ constexpr int header_bytes_max = 8 * 1024;
 constexpr int handshake_ms = 5'000;  // from the connection to the first SETTINGS
 constexpr auto shutdown_timeout = std::chrono::seconds(1);
 constexpr auto shutdown_flush_max = std::chrono::milliseconds(300);
-constexpr auto probe_period = std::chrono::milliseconds(500);
-constexpr auto probe_timeout_max = std::chrono::milliseconds(1500);
+constexpr auto probe_period = std::chrono::milliseconds(1000);
+constexpr auto probe_timeout_max = std::chrono::milliseconds(2500);
 
 // A peer that vanished silently is detected within 30 s; clients may ping at most every 10 s.
 void set_keepalive(grpc::ServerBuilder& builder) {

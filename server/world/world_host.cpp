@@ -19,6 +19,8 @@ namespace {
 
 // Length of a rest. A checkpoint or an operator's request may wait for this long.
 constexpr double rest_seconds = 0.25;
+// A heartbeat to a client shows a tick that is this many ticks old at most.
+constexpr int rest_ticks_with_clients = 2;
 // A world rests after this time without a change.
 constexpr double rests_after_seconds = 1;
 
@@ -119,7 +121,7 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
         settings_.tick_pool ? settings_.tick_pool : std::make_shared<TickPool>(1),
         {.hz = properties_.hz,
          .catch_up_ticks_max = settings_.catch_up_ticks_max,
-         .rest_ticks = std::max(1, static_cast<int>(rest_seconds * properties_.hz)),
+         .rest_ticks_max = rest_ticks_max(),
          .speed = start.speed_percent / 100.0},
         properties_.due_time(tick_), [this](const TickLoop::Tick& tick) { return run_tick(tick); },
         [this] { return lifecycle_.stopped(); },
@@ -212,22 +214,27 @@ QueryFramePtr WorldHost::query_frame(CopyLayers layers) {
     return queries_.acquire(layers);
 }
 
-bool WorldHost::run_tick(const TickLoop::Tick& tick) {
-    if (rests_ && tick.following > 0) {
+int WorldHost::run_tick(const TickLoop::Tick& tick) {
+    if (rest_ticks_ > 1 && tick.following > 0) {
         run_resting_tick(tick.due);
-        return true;
+        return rest_ticks_;
     }
     run_tick(tick.due, tick.late_ticks);
-    rests_ = may_rest(*publisher_.frame());
-    return rests_;
+    return rest_ticks_ = rest_ticks(*publisher_.frame());
 }
 
-bool WorldHost::may_rest(const Frame& frame) const {
+int WorldHost::rest_ticks_max() const {
+    return std::max(1, static_cast<int>(rest_seconds * properties_.hz));
+}
+
+int WorldHost::rest_ticks(const Frame& frame) const {
     const auto unchanged = static_cast<double>(frame.tick - frame.changed_at);
-    return (frame.awake == 0 || frame.paused) && unchanged > rests_after_seconds * properties_.hz &&
-           publisher_.listeners().streams.load() == 0 && results_.empty() &&
-           scheduler_.waiting() == 0 && mailbox_.is_empty() && !queries_.is_requested() &&
-           !tick_metrics_.is_recording();
+    const bool rests = (frame.awake == 0 || frame.paused) &&
+                       unchanged > rests_after_seconds * properties_.hz && results_.empty() &&
+                       scheduler_.waiting() == 0 && mailbox_.is_empty() &&
+                       !queries_.is_requested() && !tick_metrics_.is_recording();
+    if (!rests) return 1;
+    return publisher_.listeners().streams.load() == 0 ? rest_ticks_max() : rest_ticks_with_clients;
 }
 
 void WorldHost::run_resting_tick(Clock::time_point due) {

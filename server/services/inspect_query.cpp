@@ -9,8 +9,8 @@
 #include "jostle/v1/query.pb.h"
 #include "server/messages/attribute_message.h"
 #include "server/messages/message_parts.h"
-#include "server/services/find_world.h"
 #include "server/services/query_control.h"
+#include "server/services/query_target.h"
 #include "server/world/inspection.h"
 
 namespace jostle::server {
@@ -119,7 +119,7 @@ Status QueryControl::inspect(const v1::InspectRequest& request, v1::InspectRespo
                              const CancellationCheck& still_needed) const {
     if (request.target_case() == v1::InspectRequest::TARGET_NOT_SET)
         return invalid_argument("the request has no target; set entity or joint");
-    const auto world = find_world(context_, request.world());
+    const auto world = queried_world(context_.worlds, request.world());
     if (!world.ok()) return world.error();
     std::optional<Result<BodyInspection>> body;
     std::optional<Result<JointInspection>> joint;

@@ -132,12 +132,7 @@ void HostedWorld::continue_from(const HostedWorld& later) {
 }
 
 std::uint64_t HostedWorld::data_hash() const {
-    SavedHostState data;
-    state_.players.write(data);
-    state_.attributes.write(data);
-    data.messages = state_.messages.count();
-    if (room_) data.room = room_->state();
-    return server::data_hash(data);
+    return server::data_hash(host_state(0));
 }
 
 void HostedWorld::release_all_clients() {

@@ -19,7 +19,8 @@ std::uint32_t index_of(const World& world, BodyId body, ShapeId shape) {
     return static_cast<std::uint32_t>(std::ranges::find(shapes, shape) - shapes.begin());
 }
 
-void add_contacts(BodyInspection& to, const HostedState& state, BodyId body) {
+// `substeps`: of the last step. The impulses of contacts are those of its last sub-step.
+void add_contacts(BodyInspection& to, const HostedState& state, BodyId body, int substeps) {
     const auto contacts = state.world.contacts_of(body);
     if (!contacts.ok()) return;
     for (const ContactInfo& info : *contacts) {
@@ -34,7 +35,7 @@ void add_contacts(BodyInspection& to, const HostedState& state, BodyId body) {
         contact.other_shape = index_of(state.world, other, is_a ? info.shape_b : info.shape_a);
         contact.normal = is_a ? info.normal : -info.normal;
         for (int k = 0; k < info.count; k++)
-            contact.points.push_back({info.point[k], info.gap[k], info.impulse[k]});
+            contact.points.push_back({info.point[k], info.gap[k], info.impulse[k] * substeps});
     }
 }
 
@@ -43,10 +44,10 @@ bool is_dynamic(const World& world, BodyId body) {
     return state.ok() && state->type == BodyType::dynamic;
 }
 
-// The dynamic bodies that contacts and joints connect to the body.
-void measure_island(BodyInspection& to, const HostedState& state, BodyId body) {
+// The dynamic bodies that contacts and joints connect to the body. Returns the lowest one.
+BodyId measure_island(BodyInspection& to, const HostedState& state, BodyId body) {
     const World& world = state.world;
-    if (!is_dynamic(world, body)) return;
+    if (!is_dynamic(world, body)) return {};
     std::vector<BodyId> island{body};
     std::set<BodyId> known{body};
     const auto visit = [&](BodyId other) {
@@ -69,6 +70,14 @@ void measure_island(BodyInspection& to, const HostedState& state, BodyId body) {
         const EntityId id = state.entities.find_living(one);
         if (id != 0 && (to.island == 0 || id < to.island)) to.island = id;
     }
+    return *known.begin();
+}
+
+// Of an island in a step; islands at rest took those of the world.
+int substeps_of(const World& world, BodyId lowest) {
+    const std::vector<IslandSubsteps> islands = world.island_substeps();
+    const auto found = std::ranges::find(islands, lowest, &IslandSubsteps::body);
+    return found == islands.end() ? world.substeps() : found->substeps;
 }
 
 }  // namespace
@@ -101,14 +110,13 @@ Result<BodyInspection> inspect_body(const HostedState& state, EntityId entity,
     BodyInspection out{.description = found->description,
                        .state = *state.world.body(body),
                        .definition = *state.world.definition(body)};
-    add_contacts(out, state, body);
     for (const JointId id : state.world.joints_of(body)) {
         if (std::holds_alternative<GrabJoint>(state.world.joint(id)->def.kind)) continue;
         out.joint_count++;
         if (out.joints.size() < BodyInspection::joints_max)
             out.joints.push_back(*inspect_joint(state, id, name_of));
     }
-    measure_island(out, state, body);
+    add_contacts(out, state, body, substeps_of(state.world, measure_island(out, state, body)));
     return out;
 }
 

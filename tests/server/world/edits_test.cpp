@@ -49,8 +49,8 @@ protected:
     }
     JointId join(EntityId a, EntityId b, Vec3 at, JointKind kind = BallJoint{},
                  ClientId client = actor) {
-        const InputResult result = apply(
-            client, CreateJointCommand{a, b, Transform{at, {}}, {.kind = std::move(kind)}});
+        const InputResult result =
+            apply(client, CreateJointCommand{a, b, Transform{at, {}}, {.kind = std::move(kind)}});
         EXPECT_TRUE(result.status.ok()) << result.status.error().message;
         return world.world().joints().back();
     }
@@ -129,8 +129,7 @@ TEST_F(EditsTest, frozen_body_stays_until_it_is_unfrozen) {
     step(30);
     EXPECT_EQ(body(box).pose.position, at);
     EXPECT_EQ(description(box)->type, BodyType::static_body);
-    const Error refused =
-        error_of(apply(actor, EditCommand{.entity = box, .mass = 3.0}).status);
+    const Error refused = error_of(apply(actor, EditCommand{.entity = box, .mass = 3.0}).status);
     EXPECT_EQ(refused.code, ErrorCode::permission_denied);
     undo();
     EXPECT_EQ(description(box)->type, BodyType::dynamic);
@@ -198,8 +197,8 @@ TEST_F(EditsTest, joints_hold_break_and_are_limited) {
     step(30);
     EXPECT_LT(body(heavy).pose.position.y, 19.5) << "125 kg break a joint of 10 N";
     for (int k = 0; k < 7; k++) join(0, box, {5, 20, 0});
-    const Error refused = error_of(
-        apply(actor, CreateJointCommand{0, box, Transform{{5, 20, 0}, {}}, {}}).status);
+    const Error refused =
+        error_of(apply(actor, CreateJointCommand{0, box, Transform{{5, 20, 0}, {}}, {}}).status);
     EXPECT_EQ(refused.code, ErrorCode::resource_exhausted);
     EXPECT_EQ(refused.message,
               "the client owns 8 joints; client.joints_owned_max allows 8; delete a joint first");
@@ -289,7 +288,9 @@ protected:
                 apply(client, EditCommand{.entity = id, .mass = 3.0 + tick, .friction = 0.2});
                 break;
             case 4:
-                apply(client, CreateJointCommand{id, next, Transform{{5, 5, 0}, {}},
+                apply(client, CreateJointCommand{id,
+                                                 next,
+                                                 Transform{{5, 5, 0}, {}},
                                                  {.kind = HingeJoint{}, .break_force = 1e4}});
                 break;
             case 5:
@@ -342,11 +343,9 @@ TEST(SavedHostStateWithEdits, corrupt_edits_are_refused) {
               "corrupt host state: updated entity 1 has revision 4 of 3");
     state.updated_entities.clear();
     state.undo = {{5, {}}};
-    EXPECT_EQ(error_of(decode_host_state(encode_host_state(state))).code,
-              ErrorCode::corrupt_data);
+    EXPECT_EQ(error_of(decode_host_state(encode_host_state(state))).code, ErrorCode::corrupt_data);
     state.undo = {{5, std::vector<UndoStep>(33)}};
-    EXPECT_EQ(error_of(decode_host_state(encode_host_state(state))).code,
-              ErrorCode::corrupt_data);
+    EXPECT_EQ(error_of(decode_host_state(encode_host_state(state))).code, ErrorCode::corrupt_data);
     const std::string bytes = [&] {
         state.undo = {{5, std::vector<UndoStep>(3)}};
         return encode_host_state(state);

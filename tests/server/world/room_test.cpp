@@ -78,22 +78,28 @@ struct Cell {
     const char* allowed;  // spectator, player, builder, owner
 };
 constexpr Cell table[] = {
-    {"spawn", "none", "nyyy"},     {"explode", "none", "nyyy"},   {"push", "own", "nyyy"},
-    {"push", "scene", "nyyy"},     {"push", "other", "nnyy"},     {"drag", "own", "nyyy"},
-    {"drag", "scene", "nyyy"},     {"drag", "other", "nnyy"},     {"delete", "own", "nyyy"},
-    {"delete", "scene", "nnyy"},   {"delete", "other", "nnny"},   {"joints", "scene", "nyyy"},
-    {"control", "own", "nyyy"},    {"control", "scene", "nyyy"},  {"control", "other", "nyyy"},
-    {"message", "none", "yyyy"},   {"vote", "other", "nyyy"},     {"clean_up", "own", "nyyy"},
-    {"clean_up", "other", "nnny"}, {"mute", "other", "nnyy"},     {"kick", "other", "nnny"},
-    {"ban", "other", "nnny"},      {"set_role", "other", "nnny"}, {"protect", "none", "nnyy"},
-    {"edit", "own", "nyyy"},       {"edit", "scene", "nnyy"},     {"edit", "other", "nnny"},
-    {"clone", "own", "nyyy"},      {"clone", "scene", "nyyy"},    {"clone", "other", "nnyy"},
-    {"create_joint", "own", "nyyy"}, {"create_joint", "scene", "nyyy"},
+    {"spawn", "none", "nyyy"},         {"explode", "none", "nyyy"},
+    {"push", "own", "nyyy"},           {"push", "scene", "nyyy"},
+    {"push", "other", "nnyy"},         {"drag", "own", "nyyy"},
+    {"drag", "scene", "nyyy"},         {"drag", "other", "nnyy"},
+    {"delete", "own", "nyyy"},         {"delete", "scene", "nnyy"},
+    {"delete", "other", "nnny"},       {"joints", "scene", "nyyy"},
+    {"control", "own", "nyyy"},        {"control", "scene", "nyyy"},
+    {"control", "other", "nyyy"},      {"message", "none", "yyyy"},
+    {"vote", "other", "nyyy"},         {"clean_up", "own", "nyyy"},
+    {"clean_up", "other", "nnny"},     {"mute", "other", "nnyy"},
+    {"kick", "other", "nnny"},         {"ban", "other", "nnny"},
+    {"set_role", "other", "nnny"},     {"protect", "none", "nnyy"},
+    {"edit", "own", "nyyy"},           {"edit", "scene", "nnyy"},
+    {"edit", "other", "nnny"},         {"clone", "own", "nyyy"},
+    {"clone", "scene", "nyyy"},        {"clone", "other", "nnyy"},
+    {"create_joint", "own", "nyyy"},   {"create_joint", "scene", "nyyy"},
     {"create_joint", "other", "nnyy"}, {"delete_joint", "own", "nyyy"},
     {"delete_joint", "scene", "nyyy"}, {"delete_joint", "other", "nnyy"},
-    {"undo", "own", "nyyy"},       {"speed", "none", "nnyy"},     {"rewind", "none", "nnny"},
-    {"step", "none", "nnyy"},
-    {"pause", "none", "nnyy"},     {"reset", "none", "nnny"},     {"settings", "none", "nnny"},
+    {"undo", "own", "nyyy"},           {"speed", "none", "nnyy"},
+    {"rewind", "none", "nnny"},        {"step", "none", "nnyy"},
+    {"pause", "none", "nnyy"},         {"reset", "none", "nnny"},
+    {"settings", "none", "nnny"},
 };
 
 class RoomPermissions : public RoomTest,
@@ -121,8 +127,7 @@ protected:
             set_role(actor, PlayerRole::builder);
             EXPECT_TRUE(apply(maker, CreateJointCommand{0, entity, {}, {}}).status.ok());
             set_role(actor, role);
-            return apply(actor, DeleteJointCommand{.target = world.world().joints().back()})
-                .status;
+            return apply(actor, DeleteJointCommand{.target = world.world().joints().back()}).status;
         }
         if (action == "undo") return apply(actor, UndoCommand{}).status;
         if (action == "speed") return command(actor, SetRoomSpeed{50});

@@ -64,8 +64,7 @@ TEST(Timeline, of_a_persisted_world_has_only_ticks_of_its_history) {
 // A room whose ticks run when the test calls them.
 class RoomTimeTest : public testing::Test {
 protected:
-    explicit RoomTimeTest(bool own_ticks = false)
-        : worlds({.own_ticks = own_ticks}, 4) {
+    explicit RoomTimeTest(bool own_ticks = false) : worlds({.own_ticks = own_ticks}, 4) {
         host = *worlds.create("room", *scenes::find_scene("stack"), {},
                               RoomProperties{.timeline_seconds = 60});
         send(EnterRoom{.member = "subject/ada"}, 0);

@@ -1125,7 +1125,7 @@ export type InspectedContactPoint = Message<"jostle.v1.InspectedContactPoint"> &
   separation: number;
 
   /**
-   * N s, along the normal, of the last sub-step
+   * N s, along the normal, of a step like its last sub-step
    *
    * @generated from field: double impulse = 3;
    */

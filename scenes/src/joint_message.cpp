@@ -1,10 +1,13 @@
 // SPDX-License-Identifier: MIT
 #include "scenes/src/joint_message.h"
 
+#include <cmath>
 #include <optional>
 
 #include "jostle/physics/joint_fields.h"
 #include "jostle/physics/limits.h"
+#include "jostle/scenes/joint_definition.h"
+#include "jostle/scenes/joint_form.h"
 #include "jostle/v1/scene.pb.h"
 #include "scenes/src/body_name.h"
 #include "scenes/src/message_fields.h"
@@ -55,6 +58,17 @@ Transform local(const SceneBody& body, const Transform& world) {
     const Quat turn = unit(pose.rotation);
     return {inverse_rotate(turn, world.position - pose.position),
             unit(conjugate(turn) * world.rotation)};
+}
+
+double rounded(double value, double units) {
+    return std::round(value * units) / units + 0.0;  // no negative zero
+}
+
+Transform rounded(const Transform& frame) {
+    constexpr double meters = 65536, turns = 16384;
+    const auto [p, q] = frame;
+    return {{rounded(p.x, meters), rounded(p.y, meters), rounded(p.z, meters)},
+            {rounded(q.x, turns), rounded(q.y, turns), rounded(q.z, turns), rounded(q.w, turns)}};
 }
 
 void write(v1::JointFrame& out, const Transform& frame) {
@@ -150,6 +164,12 @@ void read_joint(FieldReader& in, SceneDescription& scene, const std::string& pat
     }
 }
 
+void write_joint_form(v1::Joint& out, const JointDef& def) {
+    write(*out.mutable_frame_a(), rounded(def.frame_a));
+    write(*out.mutable_frame_b(), rounded(def.frame_b));
+    write_kind(out, def.kind);
+}
+
 void write_joint(v1::Joint& out, const SceneDescription& scene, const SceneJoint& joint) {
     out.set_name(joint.name);
     if (joint.body_a != world_body) out.set_body_a(name_of(scene, joint.body_a));
@@ -161,6 +181,61 @@ void write_joint(v1::Joint& out, const SceneDescription& scene, const SceneJoint
     out.set_break_force(joint.joint.break_force);
     out.set_break_torque(joint.joint.break_torque);
     if (joint.joint.solver) out.set_solver(message_of(*joint.joint.solver));
+}
+
+// --- joints outside of scene files ---
+
+physics::Result<JointDefinition> joint_from_message(const v1::Joint& m, const std::string& path) {
+    FieldReader in;
+    JointDefinition out;
+    if (!m.name().empty() || !m.body_a().empty() || !m.body_b().empty() || m.has_repeat())
+        in.report_error(path,
+                        "has a name, body_a, body_b or repeat; only joints of scenes have them");
+    if (m.has_frame() && (m.has_frame_a() || m.has_frame_b()))
+        in.report_error(
+            path + ".frame",
+            "conflicts with frame_a and frame_b; use either frame, or frame_a and frame_b");
+    JointDef& def = out.joint;
+    def.kind = read_kind(in, path, m);
+    def.collide_connected = m.collide_connected();
+    def.break_force = in.number(path + ".break_force", m.break_force(), 0, 1e15);
+    def.break_torque = in.number(path + ".break_torque", m.break_torque(), 0, 1e15);
+    def.solver = read_solver(in, path + ".solver", m.solver());
+    if (m.has_frame()) out.frame = read_frame(in, path + ".frame", m.frame());
+    def.frame_a = read_frame(in, path + ".frame_a", m.frame_a());
+    def.frame_b = read_frame(in, path + ".frame_b", m.frame_b());
+    if (in.errors().empty()) return out;
+    const FieldError& first = in.errors().front();
+    return physics::Error{physics::ErrorCode::invalid_argument, first.path + ": " + first.what};
+}
+
+void write_joint_definition(v1::Joint& out, const JointDef& def) {
+    write(*out.mutable_frame_a(), def.frame_a);
+    write(*out.mutable_frame_b(), def.frame_b);
+    write_kind(out, def.kind);
+    out.set_collide_connected(def.collide_connected);
+    out.set_break_force(def.break_force);
+    out.set_break_torque(def.break_torque);
+    if (def.solver) out.set_solver(message_of(*def.solver));
+}
+
+std::string joint_bytes(const JointDefinition& joint) {
+    v1::Joint message;
+    write_joint_definition(message, joint.joint);
+    if (joint.frame) {
+        message.clear_frame_a();
+        message.clear_frame_b();
+        write(*message.mutable_frame(), *joint.frame);
+    }
+    return message.SerializeAsString();
+}
+
+physics::Result<JointDefinition> joint_from_bytes(std::string_view bytes, const std::string& path) {
+    v1::Joint message;
+    if (!message.ParseFromArray(bytes.data(), static_cast<int>(bytes.size())))
+        return physics::Error{physics::ErrorCode::corrupt_data,
+                              path + ": the bytes are not a jostle.v1.Joint"};
+    return joint_from_message(message, path);
 }
 
 }  // namespace jostle::scenes

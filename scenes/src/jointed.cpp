@@ -67,6 +67,7 @@ void add_ragdoll(SceneDescription& scene, Vec3 at, std::uint32_t color) {
 
 SceneDescription ragdolls() {
     SceneDescription scene{.bodies = {ground()}};
+    scene.view = SceneView{{13, 9, 15}, {-1, 3.5, 0}};
     for (int k = 0; k < 8; k++)
         scene.bodies.push_back(
             colored(fixed_box("step", {-4 + k * 0.8, 0.2 * (8 - k), 0}, {0.4, 0.2 * (8 - k), 4}),
@@ -80,6 +81,7 @@ SceneDescription ragdolls() {
 
 SceneDescription bridge() {
     SceneDescription scene{.bodies = {ground()}};
+    scene.view = SceneView{{-15, 9, 20}, {0, 3.5, 3}};
     const std::size_t left = scene.bodies.size();
     scene.bodies.push_back(fixed_box("pier", {-7, 1.5, 0}, {1, 1.5, 1.2}));
     const std::size_t right = scene.bodies.size();

@@ -98,6 +98,7 @@ void add_wire(SceneDescription& scene, Vec3 at) {
 
 SceneDescription machines() {
     SceneDescription scene{.bodies = {ground()}};
+    scene.view = SceneView{{2, 9, 21}, {0.5, 2, 1}};
     const std::size_t floor = 0;
     add_car(scene, {0, 0, 6});
     add_gears(scene, floor, {-8, 0, 0});

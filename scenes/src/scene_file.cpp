@@ -40,6 +40,7 @@ constexpr std::size_t name_bytes_max = 64;
 constexpr std::size_t description_bytes_max = 1000;
 constexpr std::uint32_t repeat_max = 100000;
 constexpr std::size_t file_bytes_max = 64u << 20;
+constexpr double view_length_min = 0.01;  // m
 
 // Reads one message and stores its errors.
 class Reader : public FieldReader {
@@ -51,6 +52,7 @@ public:
         if (m.description().size() > description_bytes_max)
             report_error("description", "must be a string of at most 1000 bytes");
         world(out, m.world());
+        if (m.has_view()) out.view = view(m.view());
         const auto each = [&](int count, const auto& read) {
             for (int i = 0; i < count && !full(); i++) {
                 begin_item();
@@ -99,6 +101,16 @@ private:
         }
         if (const auto solver = read_solver(*this, "world.joint_solver", m.joint_solver()))
             out.world.joint_solver = *solver;
+    }
+
+    SceneView view(const v1::View& m) {
+        SceneView out{vector("view.eye", m.eye(), limits::max_coordinate),
+                      vector("view.target", m.target(), limits::max_coordinate)};
+        if (length(out.target - out.eye) < view_length_min)
+            report_error("view.target", "must be at least 0.01 m from view.eye");
+        if (m.field_of_view() != 0)
+            out.field_of_view = number("view.field_of_view", m.field_of_view(), 0.1, 2.5);
+        return out;
     }
 
     BroadPhase broad_phase(v1::BroadPhase kind) {
@@ -339,6 +351,12 @@ v1::Scene to_message(const SceneDescription& scene) {
         precision.set_position(scene.precision.position);
         precision.set_rotation(scene.precision.rotation);
         precision.set_far_factor(scene.precision.far_factor);
+    }
+    if (scene.view) {
+        v1::View& view = *out.mutable_view();
+        set(*view.mutable_eye(), scene.view->eye);
+        set(*view.mutable_target(), scene.view->target);
+        view.set_field_of_view(scene.view->field_of_view);
     }
     for (const SceneBody& body : scene.bodies) write_body(*out.add_bodies(), body);
     for (const SceneJoint& joint : scene.joints) write_joint(*out.add_joints(), scene, joint);

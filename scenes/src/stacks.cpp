@@ -16,6 +16,7 @@ SceneDescription stack() {
 
 SceneDescription pyramid() {
     SceneDescription scene{.bodies = {ground()}};
+    scene.view = SceneView{{14, 17, 50}, {0, 13.5, 0}};
     constexpr int rows = 30;
     for (int row = 0; row < rows; row++)
         for (int k = 0; k < rows - row; k++)
@@ -27,6 +28,7 @@ SceneDescription pyramid() {
 
 SceneDescription wall() {
     SceneDescription scene{.bodies = {ground()}};
+    scene.view = SceneView{{12, 6, 16}, {0, 2.5, 1}};
     constexpr int rows = 12, bricks = 12;
     for (int row = 0; row < rows; row++)
         for (int k = 0; k < bricks; k++)
@@ -44,6 +46,7 @@ SceneDescription wall() {
 
 SceneDescription dominoes() {
     SceneDescription scene{.bodies = {ground()}};
+    scene.view = SceneView{{2, 13, 13}, {0, 0, 0.5}};
     // Along the spiral r = 2 + 0.35 angle, one domino every 0.42 m of arc.
     double angle = 0;
     for (int i = 0; i < 120; i++) {

@@ -10,6 +10,7 @@ using namespace physics;
 
 SceneDescription billiards() {
     SceneDescription scene{.bodies = {ground()}};
+    scene.view = SceneView{{0, 5.2, 4.8}, {0, 0.7, 0.3}};
     const Material cloth{.friction = 0.2, .restitution = 0.5};
     const Material cushion{.friction = 0.14, .restitution = 0.85};
     const auto add_fixed = [&](const char* name, Vec3 center, Vec3 half, Material material,
@@ -47,6 +48,7 @@ SceneDescription billiards() {
 
 SceneDescription incline() {
     SceneDescription scene;
+    scene.view = SceneView{{8, 9, 24}, {0, 0, 0}};
     const double tilt = 20 * pi / 180;
     const Quat slope = from_axis_angle({0, 0, 1}, -tilt);
     SceneBody ramp = fixed_box("ramp", {0, 0, 0}, {12, 0.5, 6}, slope);

@@ -253,7 +253,8 @@ void ServerApp::Impl::create_services() {
                                        .not_ready_reason = not_ready,
                                        .failure_reason = failure,
                                        .grpc_web = &*grpc_web_routes_,
-                                       .admin_api = &*admin_api_});
+                                       .admin_api = &*admin_api_,
+                                       .admin_control = &*admin_control_});
     admin_routes_.emplace(*admin_control_, metrics_,
                           AdminRouteSettings{.allowed_hosts = config_.allowed_hosts,
                                              .not_ready_reason = not_ready,

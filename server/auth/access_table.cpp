@@ -28,6 +28,7 @@ constexpr AccessRow table[] = {
     {"jostle.v1.QueryService/Overlap", query, Role::viewer, any_world},
     {"jostle.v1.QueryService/ClosestPoints", query, Role::viewer, any_world},
     {"jostle.v1.QueryService/Debug", query, Role::viewer, any_world},
+    {"jostle.v1.QueryService/Inspect", query, Role::viewer, any_world},
     {"jostle.v1.AdminService/GetServerStatus", admin_read, Role::admin, token_worlds},
     {"jostle.v1.AdminService/ListClients", admin, Role::admin, token_worlds},
     {"jostle.v1.AdminService/Kick", admin, Role::admin, token_worlds},
@@ -67,6 +68,8 @@ constexpr AccessRow table[] = {
     // GET: whether the caller may resume the world.
     {"GET /api/worlds/{id}/resume", admin, Role::director, own_world},
     {"POST /api/worlds/{id}/resume", admin, Role::director, own_world},
+    // The world as a scene file.
+    {"GET /api/worlds/{id}/scene", admin, Role::director, own_world},
     // Admitted once more as the method of AdminService.
     {"POST /api/admin/{method}", admin, Role::admin, any_world},
     {"POST /api/query/{method}", query, Role::viewer, any_world},

@@ -104,6 +104,7 @@ Status check(const Config& c) {
         {"client.attribute_changes_per_second", c.client.attribute_changes_per_second, 1, 1e6},
         {"client.attribute_bytes_max", c.client.attribute_bytes_max, 0, 1 << 21},
         {"client.bodies_owned_max", c.client.bodies_owned_max, 0, 100000},
+        {"client.joints_owned_max", c.client.joints_owned_max, 0, 100000},
         {"client.account_bodies_max", c.client.account_bodies_max, 0, 1000000},
         {"client.retained_bodies_seconds", c.client.retained_bodies_seconds, 0, 1e9},
         {"client.resume_timeout_seconds", c.client.resume_timeout_seconds, 0, 600},

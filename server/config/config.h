@@ -25,6 +25,7 @@ struct ClientLimits {
     double attribute_changes_per_second = 100;
     int attribute_bytes_max = 32768;  // of all attributes that one client set in a world
     int bodies_owned_max = 50;
+    int joints_owned_max = 100;
     int account_bodies_max = 500;  // of all clients of a subject or network; 0: unlimited
     // false: bodies spawned by a client are removed when it leaves
     bool retain_bodies_after_leave = false;

@@ -86,6 +86,7 @@ Setters setters_of(Config& c) {
         {"client.attribute_changes_per_second", into(c.client.attribute_changes_per_second)},
         {"client.attribute_bytes_max", into(c.client.attribute_bytes_max)},
         {"client.bodies_owned_max", into(c.client.bodies_owned_max)},
+        {"client.joints_owned_max", into(c.client.joints_owned_max)},
         {"client.account_bodies_max", into(c.client.account_bodies_max)},
         {"client.retained_bodies_seconds", into(c.client.retained_bodies_seconds)},
         {"client.retain_bodies_after_leave", into(c.client.retain_bodies_after_leave)},

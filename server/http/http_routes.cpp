@@ -9,6 +9,7 @@
 
 #include "jostle/base/check.h"
 #include "jostle/scenes/scene_file.h"
+#include "jostle/v1/admin.pb.h"
 #include "jostle/v1/query.pb.h"
 #include "jostle/v1/world.pb.h"
 #include "server/auth/allowed_hosts.h"
@@ -22,7 +23,8 @@ namespace {
 
 constexpr std::string_view worlds_path = "/api/worlds";
 constexpr std::string_view query_path = "/api/query/", admin_path = "/api/admin/";
-constexpr std::string_view resume_suffix = "/resume", join_suffix = "/join";
+constexpr std::string_view resume_suffix = "/resume", join_suffix = "/join",
+                           scene_suffix = "/scene";
 constexpr std::string_view join_or_create_path = "/api/join-or-create";
 
 HttpResponse json(int status, const google::protobuf::Message& message) {
@@ -137,6 +139,7 @@ HttpWork HttpRoutes::work_of(const HttpRequest& request) const {
     if (request.method == "OPTIONS") return HttpWork::immediate;
     if (is_grpc_web(request)) return settings_.grpc_web->work_of(request);
     if (path.starts_with(query_path) || path.starts_with(admin_path)) return HttpWork::query;
+    if (path.starts_with(worlds_path) && path.ends_with(scene_suffix)) return HttpWork::mutation;
     const bool reads = request.method == "GET" || request.method == "HEAD";
     return reads || !path.starts_with("/api/") ? HttpWork::immediate : HttpWork::mutation;
 }
@@ -266,10 +269,13 @@ HttpResponse HttpRoutes::handle_api(const HttpRequest& request, std::string_view
     const bool is_join = world.size() > join_suffix.size() && world.ends_with(join_suffix);
     if (is_resume) world.resize(world.size() - resume_suffix.size());
     if (is_join) world.resize(world.size() - join_suffix.size());
+    const bool is_scene = world.size() > scene_suffix.size() && world.ends_with(scene_suffix);
+    if (is_scene) world.resize(world.size() - scene_suffix.size());
     const bool is_world = !world.empty() && world.find('/') == std::string::npos;
     if (is_list && changes && request.method != "POST") return method_not_allowed("GET, POST");
     if ((is_join || path == join_or_create_path) && request.method != "POST")
         return method_not_allowed("POST");
+    if (is_scene && changes) return method_not_allowed("GET");
     if (is_world && changes && request.method != (is_resume || is_join ? "POST" : "DELETE"))
         return method_not_allowed(is_resume ? "GET, POST" : "GET, DELETE");
     if ((is_query || is_admin) && request.method != "POST") return method_not_allowed("POST");
@@ -287,6 +293,7 @@ HttpResponse HttpRoutes::handle_api(const HttpRequest& request, std::string_view
     if (Status s = authorize_world(*context, world); !s.ok()) return to_http(s.error());
     if (is_resume && changes) return resume_world(world, *context);
     if (is_join) return join_world(request, world, *context);
+    if (is_scene) return export_scene(world);
     return changes ? delete_world(world, *context) : get_world(world);
 }
 
@@ -328,6 +335,21 @@ HttpResponse HttpRoutes::get_world(const std::string& world) const {
     return status.ok() ? json(200, response) : to_http(status.error());
 }
 
+// A file of a scene contains no zeros that mean "default".
+HttpResponse HttpRoutes::export_scene(const std::string& world) const {
+    if (!settings_.admin_control)
+        return to_http(Error{ErrorCode::not_found, "the server does not export worlds"});
+    v1::ExportWorldRequest request;
+    request.set_world(world);
+    v1::ExportWorldResponse response;
+    if (Status s = settings_.admin_control->export_world(request, response); !s.ok())
+        return to_http(s.error());
+    std::string body;
+    if (!google::protobuf::util::MessageToJsonString(response, &body).ok())
+        return to_http(Error{ErrorCode::internal, "cannot encode the scene as JSON"});
+    return json_response(200, std::move(body));
+}
+
 HttpResponse HttpRoutes::create_world(const HttpRequest& request,
                                       const RequestContext& context) const {
     v1::CreateWorldRequest message;
@@ -365,10 +387,12 @@ HttpResponse HttpRoutes::query(const HttpRequest& request, std::string_view meth
         return evaluate(request, queries_, authorize_target, &QueryControl::closest_points);
     if (method == "Debug")
         return evaluate(request, queries_, authorize_target, &QueryControl::debug);
+    if (method == "Inspect")
+        return evaluate(request, queries_, authorize_target, &QueryControl::inspect);
     return to_http(
         Error{ErrorCode::not_found,
-              "there is no such query; use CastRays, CastShapes, Overlap, ClosestPoints or "
-              "Debug"});
+              "there is no such query; use CastRays, CastShapes, Overlap, ClosestPoints, "
+              "Debug or Inspect"});
 }
 
 HttpResponse HttpRoutes::resume_world(const std::string& world,

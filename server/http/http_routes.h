@@ -17,6 +17,7 @@
 #include "server/http/http_error.h"
 #include "server/http/http_message.h"
 #include "server/http/web_files.h"
+#include "server/services/admin_control.h"
 #include "server/services/query_control.h"
 #include "server/services/world_control.h"
 
@@ -33,6 +34,7 @@ struct RouteSettings {
     std::function<std::optional<std::string>()> failure_reason;
     const HttpHandler* grpc_web = nullptr;  // null: no gRPC-Web; outlives the routes
     const AdminApi* admin_api = nullptr;    // null: no /api/admin; outlives the routes
+    AdminControl* admin_control = nullptr;  // null: no export of scenes; outlives the routes
 };
 
 class HttpRoutes final : public HttpHandler {
@@ -72,6 +74,7 @@ private:
                             const RequestContext& context) const;
     HttpResponse join_or_create(const HttpRequest& request, const RequestContext& context) const;
     HttpResponse get_world(const std::string& world) const;
+    HttpResponse export_scene(const std::string& world) const;
     HttpResponse create_world(const HttpRequest& request, const RequestContext& context) const;
     HttpResponse resume_world(const std::string& world, const RequestContext& context) const;
     HttpResponse delete_world(const std::string& world, const RequestContext& context) const;

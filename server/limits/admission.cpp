@@ -23,6 +23,8 @@ constexpr double mass_min = 1e-3, mass_max = 1e6;
 constexpr double spawn_speed_max = 50;   // m/s and rad/s
 constexpr double impulse_max = 1e7;      // N s; the world limits it to a speed change of 20 m/s
 constexpr double aim_length_max = 2000;  // m
+constexpr double motor_speed_max = 100, motor_force_max = 1e6;  // m/s or rad/s; N or N m
+constexpr double joint_spring_hertz_max = 60;
 constexpr double explosion_radius_max = 20, explosion_speed_max = 20;  // m, m/s
 
 // Written so that NaN fails.
@@ -136,8 +138,100 @@ struct Check {
         return {};
     }
     Status operator()(const RoomCommand& c) const { return check_room_command(c); }
+    Status operator()(const EditCommand& c) const {
+        if (c.position)
+            if (Status s = check_point("edit.position", *c.position); !s.ok()) return s;
+        if (c.linear_velocity)
+            if (Status s =
+                    check_length("edit.linear_velocity", *c.linear_velocity, spawn_speed_max);
+                !s.ok())
+                return s;
+        if (c.angular_velocity)
+            if (Status s =
+                    check_length("edit.angular_velocity", *c.angular_velocity, spawn_speed_max);
+                !s.ok())
+                return s;
+        if (c.mass && c.density)
+            return invalid_argument("edit.mass and edit.density are both set; set one of them");
+        if (c.mass)
+            if (Status s = check_number("edit.mass", *c.mass, mass_min, mass_max); !s.ok())
+                return s;
+        if (c.density)
+            if (Status s = check_number("edit.density", *c.density, 1, 20000); !s.ok()) return s;
+        if (c.friction)
+            if (Status s = check_number("edit.friction", *c.friction, 0, 10); !s.ok()) return s;
+        if (c.restitution)
+            if (Status s = check_number("edit.restitution", *c.restitution, 0, 1); !s.ok())
+                return s;
+        return c.gravity_scale ? check_number("edit.gravity_scale", *c.gravity_scale, -10, 10)
+                               : Status();
+    }
+    Status operator()(const CloneCommand& c) const { return check_point("clone.offset", c.offset); }
+    Status operator()(const CreateJointCommand& c) const { return check_joint(c); }
+    Status operator()(const DeleteJointCommand&) const { return {}; }
+    Status operator()(const UndoCommand&) const { return {}; }
 
 private:
+    static Status check_motor(bool enabled, double speed, double force, const char* speed_name,
+                              const char* force_name) {
+        if (!enabled) return {};
+        if (Status s = check_number(speed_name, speed, -motor_speed_max, motor_speed_max); !s.ok())
+            return s;
+        return check_number(force_name, force, 0, motor_force_max);
+    }
+    static Status check_spring(const char* name, const physics::JointSpring& spring) {
+        return check_number(name, spring.hertz, 0, joint_spring_hertz_max);
+    }
+    static Status check_joint_kind(const physics::JointKind& kind) {
+        if (const auto* ball = std::get_if<physics::BallJoint>(&kind))
+            return check_spring("create_joint.joint.ball.drive.spring.hertz", ball->drive.spring);
+        if (const auto* hinge = std::get_if<physics::HingeJoint>(&kind)) {
+            if (Status s =
+                    check_motor(hinge->motor.enabled, hinge->motor.speed, hinge->motor.max_torque,
+                                "create_joint.joint.hinge.motor_speed",
+                                "create_joint.joint.hinge.motor_max_torque");
+                !s.ok())
+                return s;
+            return check_spring("create_joint.joint.hinge.spring.hertz", hinge->spring);
+        }
+        if (const auto* slider = std::get_if<physics::SliderJoint>(&kind)) {
+            if (Status s =
+                    check_motor(slider->motor.enabled, slider->motor.speed, slider->motor.max_force,
+                                "create_joint.joint.slider.motor_speed",
+                                "create_joint.joint.slider.motor_max_force");
+                !s.ok())
+                return s;
+            return check_spring("create_joint.joint.slider.spring.hertz", slider->spring);
+        }
+        if (const auto* distance = std::get_if<physics::DistanceJoint>(&kind))
+            return check_spring("create_joint.joint.distance.spring.hertz", distance->spring);
+        if (const auto* fixed = std::get_if<physics::FixedJoint>(&kind)) {
+            if (Status s = check_spring("create_joint.joint.fixed.linear.hertz", fixed->linear);
+                !s.ok())
+                return s;
+            return check_spring("create_joint.joint.fixed.angular.hertz", fixed->angular);
+        }
+        return invalid_argument(
+            fmt::format("create_joint.joint is a {} joint; allowed are ball, hinge, slider, fixed "
+                        "and distance",
+                        physics::kind_name(kind)));
+    }
+    static Status check_joint(const CreateJointCommand& c) {
+        if (c.entity_b == 0)
+            return invalid_argument(
+                "create_joint.entity_b is 0; only entity_a may be the world (0)");
+        if (c.frame)
+            if (Status s = check_point("create_joint.joint.frame.position", c.frame->position);
+                !s.ok())
+                return s;
+        if (Status s = check_point("create_joint.joint.frame_a.position", c.joint.frame_a.position);
+            !s.ok())
+            return s;
+        if (Status s = check_point("create_joint.joint.frame_b.position", c.joint.frame_b.position);
+            !s.ok())
+            return s;
+        return check_joint_kind(c.joint.kind);
+    }
     static Status check_shape(const physics::Geometry& geometry) {
         if (const auto* sphere = std::get_if<physics::Sphere>(&geometry))
             return check_size("sphere.radius", sphere->radius);

@@ -8,6 +8,7 @@
 #include <utility>
 
 #include "jostle/base/check.h"
+#include "jostle/scenes/joint_definition.h"
 #include "jostle/scenes/shape_message.h"
 #include "jostle/v1/play.pb.h"
 #include "server/limits/admission.h"
@@ -118,6 +119,39 @@ Action action_of(const v1::SendMessageInput& input) {
                               .to_server = input.to_server()};
 }
 
+Result<Action> action_of(const v1::EditInput& edit) {
+    EditCommand command{.entity = edit.entity()};
+    if (edit.has_position()) command.position = to_vector(edit.position());
+    if (edit.has_rotation()) {
+        const Result<physics::Quat> rotation = to_rotation(edit.rotation());
+        if (!rotation.ok()) return invalid_argument("edit." + rotation.error().message);
+        command.rotation = *rotation;
+    }
+    if (edit.has_linear_velocity()) command.linear_velocity = to_vector(edit.linear_velocity());
+    if (edit.has_angular_velocity()) command.angular_velocity = to_vector(edit.angular_velocity());
+    if (edit.has_mass()) command.mass = edit.mass();
+    if (edit.has_density()) command.density = edit.density();
+    if (edit.has_friction()) command.friction = edit.friction();
+    if (edit.has_restitution()) command.restitution = edit.restitution();
+    if (edit.has_color()) command.color = edit.color() & 0xffffff;
+    if (edit.has_frozen()) command.frozen = edit.frozen();
+    if (edit.has_gravity_scale()) command.gravity_scale = edit.gravity_scale();
+    return Action{command};
+}
+
+Result<Action> action_of(const v1::CreateJointInput& input) {
+    if (input.joint().path().points_size() > 0 ||
+        input.joint().solver() != v1::JOINT_SOLVER_UNSPECIFIED)
+        return invalid_argument(
+            "create_joint.joint has a solver or is a path; allowed are ball, hinge, slider, fixed "
+            "and distance joints without a solver");
+    Result<scenes::JointDefinition> joint =
+        scenes::joint_from_message(input.joint(), "create_joint.joint");
+    if (!joint.ok()) return joint.error();
+    return Action{CreateJointCommand{input.entity_a(), input.entity_b(), joint->frame,
+                                     std::move(joint->joint)}};
+}
+
 Result<Action> action_of(const v1::Input& input) {
     switch (input.kind_case()) {
         case v1::Input::kSpawn:
@@ -157,6 +191,17 @@ Result<Action> action_of(const v1::Input& input) {
             if (!command.ok()) return command.error();
             return Action{*std::move(command)};
         }
+        case v1::Input::kEdit:
+            return action_of(input.edit());
+        case v1::Input::kClone:
+            return Action{CloneCommand{input.clone().entity(), to_vector(input.clone().offset()),
+                                       input.clone().jointed()}};
+        case v1::Input::kCreateJoint:
+            return action_of(input.create_joint());
+        case v1::Input::kDeleteJoint:
+            return Action{DeleteJointCommand{.joint = input.delete_joint().joint()}};
+        case v1::Input::kUndo:
+            return Action{UndoCommand{}};
         case v1::Input::KIND_NOT_SET:
             break;
     }
@@ -251,6 +296,7 @@ Result<ClientMessage> decode(const v1::Hello& hello) {
                                .datagrams = hello.datagrams(),
                                .resumable = hello.resumable(),
                                .resume = std::move(resume),
+                               .joints = hello.joints(),
                                .players = hello.players(),
                                .attributes = hello.attributes(),
                                .topics = {hello.topics().begin(), hello.topics().end()},

@@ -47,6 +47,7 @@ struct Hello {
         std::uint32_t message = 0;  // number of the last user message; 0: none
     };
     std::optional<Resume> resume = {};
+    bool joints = false;
     bool players = false, attributes = false;
     std::vector<std::string> topics = {};  // of user messages; "*": all
     std::optional<std::uint32_t> color = {};

@@ -29,6 +29,11 @@ Difference difference_of(const EntityList& from, const EntityList& to) {
         } else if (i == from.size() || to[j]->id < from[i]->id) {
             difference.added.push_back(to[j++]);
         } else {
+            // An edited entity is removed and added again.
+            if (from[i]->revision != to[j]->revision) {
+                difference.removed.push_back(from[i]->id);
+                difference.added.push_back(to[j]);
+            }
             ++i, ++j;
         }
     }

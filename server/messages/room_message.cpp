@@ -3,6 +3,7 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <string>
@@ -46,7 +47,8 @@ Result<RoomProperties> room_from_message(const v1::RoomSettings& message) {
                         .join_code = message.join_code(),
                         .unlisted = message.unlisted(),
                         .close_when_empty = message.close_when_empty(),
-                        .areas = {}};
+                        .areas = {},
+                        .timeline_seconds = message.timeline_seconds()};
     if (!message.initial_role().empty()) {
         const auto role = parse_player_role(message.initial_role());
         if (!role)
@@ -91,6 +93,7 @@ void write_room(v1::RoomSettings& to, const RoomProperties& room) {
     to.set_capacity(room.capacity);
     to.set_unlisted(room.unlisted);
     to.set_close_when_empty(room.close_when_empty);
+    to.set_timeline_seconds(room.timeline_seconds);
     to.set_initial_role(std::string(name_of(room.initial_role)));
     const PermissionTable usual = default_permissions();
     const auto usual_quotas = RoomProperties::default_quotas();
@@ -108,6 +111,7 @@ void write_room(v1::RoomSettings& to, const RoomProperties& room) {
         const RoleQuotas& before = usual_quotas[static_cast<std::size_t>(role)];
         auto& entries = *to.mutable_quotas();
         if (quotas.bodies != before.bodies) entries[prefix + "bodies"] = quotas.bodies;
+        if (quotas.joints != before.joints) entries[prefix + "joints"] = quotas.joints;
         if (quotas.energy_per_second != before.energy_per_second)
             entries[prefix + "energy_per_second"] = quotas.energy_per_second;
         if (quotas.explosions_per_minute != before.explosions_per_minute)
@@ -161,6 +165,12 @@ Result<RoomCommand> room_command_from_message(const v1::RoomInput& input) {
             return RoomCommand{
                 UpdateRoom{std::make_shared<const RoomProperties>(*std::move(room))}};
         }
+        case v1::RoomInput::kStep:
+            return RoomCommand{StepRoom{std::max(1u, input.step().steps())}};
+        case v1::RoomInput::kSpeed:
+            return RoomCommand{SetRoomSpeed{input.speed().percent()}};
+        case v1::RoomInput::kRewind:
+            return RoomCommand{RewindRoom{input.rewind().tick()}};
         case v1::RoomInput::KIND_NOT_SET:
             break;
     }

@@ -111,6 +111,13 @@ std::string encode_welcome(const Welcome& from) {
     welcome.set_state_preserved(from.state_preserved);
     welcome.set_last_sequence(from.last_sequence);
     welcome.set_resume_timeout_seconds(from.resume_timeout_seconds);
+    welcome.set_planar(from.planar);
+    if (from.view) {
+        v1::View& view = *welcome.mutable_view();
+        write_vector(*view.mutable_eye(), from.view->eye);
+        write_vector(*view.mutable_target(), from.view->target);
+        view.set_field_of_view(from.view->field_of_view);
+    }
     welcome.set_codec(static_cast<std::uint32_t>(from.codec));
     if (from.datagrams) {
         v1::DatagramCredentials& datagrams = *welcome.mutable_datagrams();
@@ -153,6 +160,10 @@ std::string encode_stats_field(const Frame& frame, std::uint32_t clients) {
     stats.set_step_ms_max(frame.tick_ms_max);
     stats.set_paused(frame.paused.value_or(""));
     stats.set_late_ticks(frame.late_ticks);
+    stats.set_speed_percent(frame.speed_percent);
+    if (frame.restorable_ticks)
+        stats.mutable_restorable_ticks()->Add(frame.restorable_ticks->begin(),
+                                              frame.restorable_ticks->end());
     return fields.SerializeAsString();
 }
 
@@ -268,6 +279,7 @@ void write_results(v1::ClientUpdate& to, std::span<const InputResult> results) {
         result.set_tick(from.tick);
         result.set_entity(from.entity);
         result.set_view_time_clamped(from.view_time_clamped);
+        result.set_joint(from.joint);
         if (from.status.ok()) continue;
         result.set_message(from.status.error().message);
         result.set_retry_after_ms(static_cast<std::uint32_t>(from.status.error().retry_after_ms));

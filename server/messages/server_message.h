@@ -11,6 +11,7 @@
 #include <string>
 
 #include "jostle/datagram/packet.h"
+#include "jostle/scenes/scene.h"
 #include "server/replication/cell_snapshot_cache.h"
 #include "server/replication/point_cache.h"
 #include "server/replication/pose_cache.h"
@@ -44,6 +45,8 @@ struct Welcome {
     bool resumed = false, state_preserved = false;
     std::uint32_t last_sequence = 0;
     double resume_timeout_seconds = 0;
+    bool planar = false;
+    std::optional<scenes::SceneView> view = {};  // nothing: chosen by the viewer
 };
 enum class NoticeKind { draining, world_closed, refused, rate_limit, world_restarted };
 

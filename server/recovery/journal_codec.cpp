@@ -7,6 +7,7 @@
 #include <utility>
 #include <variant>
 
+#include "jostle/scenes/joint_definition.h"
 #include "jostle/scenes/shape_message.h"
 #include "server/util/bytes.h"
 #include "server/world/attribute_bytes.h"
@@ -19,11 +20,11 @@ using physics::Vec3;
 
 // See docs/design/format_changes.md. Version 2 has no rewinds, version 3 no undos, version 4 no
 // targets on ropes and cloths, version 5 no players, attributes and messages, version 6 no room
-// commands. Segments are written in the oldest version that can hold them, which older servers
-// read.
+// commands, version 7 no edits, clones, joints and undos of clients. Segments are written in the
+// oldest version that can hold them, which older servers read.
 constexpr std::uint64_t version_of_rewinds = 3, version_of_undos = 4, version_of_deformables = 5,
-                        version_of_players = 6, version_of_rooms = 7;
-constexpr std::uint64_t journal_version = version_of_rooms, oldest_version = 2;
+                        version_of_players = 6, version_of_rooms = 7, version_of_edits = 8;
+constexpr std::uint64_t journal_version = version_of_edits, oldest_version = 2;
 constexpr std::uint64_t no_action = 255;  // in place of an action kind
 // Elements of a list in a command; inputs have fewer.
 constexpr std::size_t list_max = 4096;
@@ -62,6 +63,7 @@ struct JournalWriter {
         to.number(items.size());
         for (const Item& item : items) each(item);
     }
+    void joint(const CreateJointCommand& c) { to.text(scenes::joint_bytes({c.joint, c.frame})); }
     void shape(const SpawnCommand& spawn) {
         to.text(spawn.shape_bytes.empty() ? scenes::shape_bytes(spawn.shape) : spawn.shape_bytes);
     }
@@ -119,6 +121,17 @@ struct JournalReader {
         else
             status = decoded.error();
     }
+    void joint(CreateJointCommand& c) {
+        const std::string_view bytes = from.text();
+        if (!from.ok() || !status.ok()) return;
+        Result<scenes::JointDefinition> joint = scenes::joint_from_bytes(bytes, "joint");
+        if (joint.ok()) {
+            c.joint = std::move(joint->joint);
+            c.frame = joint->frame;
+        } else {
+            status = joint.error();
+        }
+    }
     void shape(SpawnCommand& spawn) {
         spawn.shape_bytes = from.text();
         if (!from.ok() || !status.ok()) return;
@@ -174,8 +187,18 @@ void visit_action(Visitor& v, Command& c) {
     } else if constexpr (std::is_same_v<Kind, SendMessageCommand>) {
         v(c.topic), v(c.data), v(c.to_server);
         v.list(c.to, [&](auto& client) { v(client); });
+    } else if constexpr (std::is_same_v<Kind, EditCommand>) {
+        v(c.entity), v(c.position), v(c.rotation), v(c.linear_velocity), v(c.angular_velocity);
+        v(c.mass), v(c.density), v(c.friction), v(c.restitution), v(c.color), v(c.frozen);
+        v(c.gravity_scale);
+    } else if constexpr (std::is_same_v<Kind, CloneCommand>) {
+        v(c.entity), v(c.offset), v(c.jointed);
+    } else if constexpr (std::is_same_v<Kind, CreateJointCommand>) {
+        v(c.entity_a), v(c.entity_b), v.joint(c);
+    } else if constexpr (std::is_same_v<Kind, DeleteJointCommand>) {
+        v(c.target.index), v(c.target.generation);
     } else {
-        static_assert(std::is_same_v<Kind, ReleaseCommand> ||
+        static_assert(std::is_same_v<Kind, ReleaseCommand> || std::is_same_v<Kind, UndoCommand> ||
                       std::is_same_v<Kind, DisconnectCommand>);
     }
 }
@@ -190,6 +213,10 @@ bool make_action(std::uint64_t index, Action& action) {
     } else {
         return false;
     }
+}
+
+bool is_edit(const JournaledCommand& command) {
+    return command.action && command.action->index() >= Action(EditCommand{}).index();
 }
 
 bool is_about_players(const JournaledCommand& command) {
@@ -216,6 +243,7 @@ std::uint64_t version_of(const JournalSegment& segment) {
         if (std::ranges::any_of(tick.commands, is_at_deformable)) needs(version_of_deformables);
         if (std::ranges::any_of(tick.commands, is_about_players)) needs(version_of_players);
         if (std::ranges::any_of(tick.commands, is_about_room)) needs(version_of_rooms);
+        if (std::ranges::any_of(tick.commands, is_edit)) needs(version_of_edits);
     }
     return version;
 }

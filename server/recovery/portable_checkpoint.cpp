@@ -163,6 +163,10 @@ Result<SavedHostState> host_state_of(const Content& content, std::uint32_t tick,
     host_state.attributes = std::move(data->attributes);
     host_state.messages = data->messages;
     host_state.room = std::move(data->room);
+    // Owners of joints and undo logs end here, because they name joints and hold saved bodies.
+    host_state.revisions = data->revisions;
+    for (const SavedHostState::Updated& updated : data->updated_entities)
+        if (entities.contains(updated.entity)) host_state.updated_entities.push_back(updated);
     return host_state;
 }
 
@@ -183,6 +187,9 @@ std::string portable_data(const SavedHostState& host_state, const std::set<Entit
                           std::vector<std::string>& omitted) {
     SavedHostState data{
         .players = host_state.players, .messages = host_state.messages, .room = host_state.room};
+    data.revisions = host_state.revisions;
+    for (const SavedHostState::Updated& updated : host_state.updated_entities)
+        if (included.contains(updated.entity)) data.updated_entities.push_back(updated);
     std::size_t lost = 0;
     for (const SavedHostState::SavedAttribute& saved : host_state.attributes) {
         if (saved.target.kind == AttributeTargetKind::entity && !included.contains(saved.target.id))
@@ -193,8 +200,8 @@ std::string portable_data(const SavedHostState& host_state, const std::set<Entit
     if (lost > 0)
         omitted.push_back(std::to_string(lost) +
                           " attributes of module bodies: their modules create them again");
-    const bool is_empty =
-        data.players.empty() && data.attributes.empty() && data.messages == 0 && !data.room;
+    const bool is_empty = data.players.empty() && data.attributes.empty() && data.messages == 0 &&
+                          !data.room && !data.has_edits();
     return is_empty ? std::string() : encode_host_state(data);
 }
 

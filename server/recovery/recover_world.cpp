@@ -362,7 +362,8 @@ private:
             world.omitted++;
             return;
         }
-        const bool spawns = std::holds_alternative<SpawnCommand>(*command.action);
+        const bool spawns = std::holds_alternative<SpawnCommand>(*command.action) ||
+                            std::holds_alternative<CloneCommand>(*command.action);
         // Its client knows that the spawn was refused.
         if (spawns && affected == 0) return;
         world.without->world.replay(command, spawns ? affected : 0);

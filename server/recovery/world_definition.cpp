@@ -10,7 +10,7 @@
 namespace jostle::server {
 namespace {
 
-constexpr std::uint64_t definition_version = 3;
+constexpr std::uint64_t definition_version = 4;
 
 Error not_a_definition(const std::string& why) {
     return {ErrorCode::corrupt_data, "corrupt world definition: " + why};
@@ -40,6 +40,7 @@ std::string encode_world_definition(const WorldDefinition& definition) {
     to.real(attributes.text_bytes_max);
     to.real(attributes.client_bytes_max);
     to.real(attributes.world_bytes_max);
+    to.real(definition.limits.joints_owned_max);  // since version 4
     return to.take();
 }
 
@@ -77,6 +78,7 @@ Result<WorldDefinition> decode_world_definition(std::string_view bytes) {
         attributes.client_bytes_max = count();
         attributes.world_bytes_max = count();
     }
+    if (version >= 4) definition.limits.joints_owned_max = count();
     if (!from.ok()) return not_a_definition("unexpected end of data");
     if (!from.at_end()) return not_a_definition("data after the end");
     if (!fits || !(definition.limits.lag_compensation_ms_max >= 0))

@@ -8,6 +8,7 @@
 #include <string>
 
 #include <functional>
+#include <mutex>
 
 #include "jostle/base/result.h"
 #include "server/limits/query_budget.h"
@@ -23,6 +24,8 @@ class ClosestPointsRequest;
 class ClosestPointsResponse;
 class DebugRequest;
 class DebugResponse;
+class InspectRequest;
+class InspectResponse;
 class OverlapRequest;
 class OverlapResponse;
 }  // namespace jostle::v1
@@ -53,6 +56,8 @@ public:
                           const CancellationCheck& still_needed = always) const;
     Status debug(const v1::DebugRequest& request, v1::DebugResponse& response,
                  const CancellationCheck& still_needed = always) const;
+    Status inspect(const v1::InspectRequest& request, v1::InspectResponse& response,
+                   const CancellationCheck& still_needed = always) const;
     // The two halves of debug(), for callers that cache responses: the same request on the same
     // copy has the same response.
     Result<QueryFramePtr> debug_frame(const v1::DebugRequest& request) const;
@@ -62,6 +67,7 @@ public:
 private:
     PlayContext& context_;
     mutable QueryBudget budget_;
+    mutable std::mutex inspects_;  // one at a time, because the world runs one task at a time
 };
 
 }  // namespace jostle::server

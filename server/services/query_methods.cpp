@@ -105,6 +105,7 @@ std::vector<CallMethod> query_methods(const QueryControl& queries, const WorldDi
             query_method(queries, worlds, "CastShapes", &QueryControl::cast_shapes),
             query_method(queries, worlds, "Overlap", &QueryControl::overlap),
             query_method(queries, worlds, "ClosestPoints", &QueryControl::closest_points),
+            query_method(queries, worlds, "Inspect", &QueryControl::inspect),
             debug_method(queries, worlds)};
 }
 

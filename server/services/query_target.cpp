@@ -13,15 +13,6 @@ namespace jostle::server {
 
 namespace {
 
-Result<std::shared_ptr<WorldHost>> find_host(const WorldDirectory& worlds,
-                                             const std::string& name) {
-    std::shared_ptr<WorldHost> world = worlds.find(name);
-    if (world) return world;
-    return Error{ErrorCode::not_found, name.empty()
-                                           ? "the server has no world"
-                                           : fmt::format("there is no world \"{}\"", name)};
-}
-
 Result<QueryFramePtr> frame_of(WorldHost& world, CopyLayers parts) {
     if (QueryFramePtr frame = world.query_frame(parts)) return frame;
     if (world.lifecycle().stopped()) return Error{ErrorCode::unavailable, "the world was closed"};
@@ -38,9 +29,18 @@ Status check_view_time(const v1::ViewTime& view_time) {
 
 }  // namespace
 
+Result<std::shared_ptr<WorldHost>> queried_world(const WorldDirectory& worlds,
+                                                 const std::string& name) {
+    std::shared_ptr<WorldHost> world = worlds.find(name);
+    if (world) return world;
+    return Error{ErrorCode::not_found, name.empty()
+                                           ? "the server has no world"
+                                           : fmt::format("there is no world \"{}\"", name)};
+}
+
 Result<QueryFramePtr> query_frame_of(const WorldDirectory& worlds, const std::string& name,
                                      CopyLayers parts) {
-    const Result<std::shared_ptr<WorldHost>> world = find_host(worlds, name);
+    const Result<std::shared_ptr<WorldHost>> world = queried_world(worlds, name);
     if (!world.ok()) return world.error();
     return frame_of(**world, parts);
 }
@@ -50,7 +50,7 @@ Result<QueryTarget> query_target(const WorldDirectory& worlds, const std::string
                                  const RewindView::CandidateFilter& candidate_filter) {
     if (view_time)
         if (Status s = check_view_time(*view_time); !s.ok()) return s.error();
-    const Result<std::shared_ptr<WorldHost>> world = find_host(worlds, name);
+    const Result<std::shared_ptr<WorldHost>> world = queried_world(worlds, name);
     if (!world.ok()) return world.error();
     const Result<QueryFramePtr> frame =
         frame_of(**world, copy_shapes | (deformables ? copy_points : 0));

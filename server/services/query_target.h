@@ -26,6 +26,9 @@ struct QueryTarget {
     bool clamped = false;  // the view time was older than the oldest frame
 };
 
+// The world of a query; an empty name finds the oldest one. not_found: no such world.
+Result<std::shared_ptr<WorldHost>> queried_world(const WorldDirectory& worlds,
+                                                 const std::string& name);
 // unavailable: the world is closed, or its step takes too long. not_found: no such world.
 Result<QueryFramePtr> query_frame_of(const WorldDirectory& worlds, const std::string& world,
                                      CopyLayers parts);

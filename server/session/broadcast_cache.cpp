@@ -13,6 +13,7 @@ namespace {
 
 // Clients that lag by a few changes still share messages; a client that lags further gets its own.
 constexpr std::size_t entity_list_changes_retained = 16;
+constexpr std::size_t joint_list_changes_retained = 4;
 
 SharedBytes share(std::string bytes) {
     return std::make_shared<const std::string>(std::move(bytes));
@@ -63,6 +64,17 @@ std::shared_ptr<const EntityUpdateMessages> BroadcastCache::entity_list_change(
         entity_list_changes_.erase(entity_list_changes_.begin());
     entity_list_changes_.push_back({from, to, form, messages});
     return messages;
+}
+
+std::shared_ptr<JointListChange> BroadcastCache::joint_list_change(
+    const std::shared_ptr<const JointList>& from, const std::shared_ptr<const JointList>& to) {
+    const std::lock_guard lock(mutex_);
+    for (const auto& change : joint_list_changes_)
+        if (change->from() == from && change->to() == to) return change;
+    auto change = std::make_shared<JointListChange>(from, to);
+    if (joint_list_changes_.size() == joint_list_changes_retained) joint_list_changes_.pop_front();
+    joint_list_changes_.push_back(change);
+    return change;
 }
 
 SharedBytes BroadcastCache::world_stats(const FramePtr& frame, std::uint32_t clients) {

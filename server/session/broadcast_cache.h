@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "server/messages/entity_update_message.h"
+#include "server/messages/joint_update_message.h"
 #include "server/replication/point_cache.h"
 #include "server/replication/pose_cache.h"
 #include "server/session/shared_data.h"
@@ -36,6 +37,10 @@ public:
         EntityForm form);
     // The messages that add these entities.
     EntityUpdateMessages entity_update_for(const EntityList& entities, EntityForm form);
+    // The change of a client's list of joints from `from` to `to`; null `from`: its list is
+    // unknown.
+    std::shared_ptr<JointListChange> joint_list_change(const std::shared_ptr<const JointList>& from,
+                                                       const std::shared_ptr<const JointList>& to);
     // A field of a Snapshot.
     SharedBytes world_stats(const FramePtr& frame, std::uint32_t clients);
     // The shared fields of an Events message.
@@ -60,7 +65,8 @@ private:
     // The last one stays for a client that resumes.
     std::shared_ptr<PoseCache> last_poses_;
     GeometryTable geometry_;
-    std::vector<EntityListChange> entity_list_changes_;  // oldest first
+    std::vector<EntityListChange> entity_list_changes_;                // oldest first
+    std::deque<std::shared_ptr<JointListChange>> joint_list_changes_;  // oldest first
     std::deque<std::pair<std::shared_ptr<const TickEvents>, SharedBytes>> events_;
     FramePtr stats_frame_;
     std::uint32_t stats_clients_ = 0;

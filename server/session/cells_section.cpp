@@ -105,6 +105,7 @@ CellsSection::Sent CellsSection::send_members(const snapshot::QuantizedFrame& ce
     if (!view_.affords(bytes, quota)) return Sent::nothing;
     entities_.send(messages);
     view_.spend(bytes, true);
+    known_revision_++;
     for (const auto& entity : fresh) {
         if (known_.size() <= entity->id) known_.resize(entity->id + 1, false);
         known_[entity->id] = true;

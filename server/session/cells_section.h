@@ -5,6 +5,7 @@
 // snapshot. Used on the session's thread.
 #pragma once
 
+#include <cstdint>
 #include <memory>
 #include <vector>
 
@@ -32,13 +33,17 @@ public:
     // The client lost its state: each of its cells is sent as a keyframe.
     void reset() { view_.reset(); }
 
+    // The client was sent the entity.
+    bool is_known(EntityId entity) const { return entity < known_.size() && known_[entity]; }
+    // Increases when the client is sent entities.
+    std::uint64_t known_revision() const { return known_revision_; }
+
 private:
     void update_list(const std::shared_ptr<const EntityList>& list);
     enum class Sent { nothing, members, all };
     Sent send_cell(const InterestView::PendingCell& part, std::uint32_t tick, bool quota,
                    SnapshotParts& parts);
     Sent send_members(const snapshot::QuantizedFrame& cell, bool quota);
-    bool is_known(EntityId entity) const { return entity < known_.size() && known_[entity]; }
 
     BroadcastCache& broadcast_;
     PoseCache& poses_;
@@ -46,6 +51,7 @@ private:
     const snapshot::Codec codec_;
     InterestView view_;
     std::vector<bool> known_;  // by entity id: the client was sent the entity
+    std::uint64_t known_revision_ = 0;
     bool has_pending_ = false;
 };
 

@@ -189,7 +189,9 @@ Welcome JoinedWorld::welcome(const Frame& frame, Clock::time_point now) const {
             .resume_token = parts_.resume.token(),
             .last_sequence = inputs_.confirmed(),
             .resume_timeout_seconds =
-                parts_.resume.is_open() ? config.client.resume_timeout_seconds : 0};
+                parts_.resume.is_open() ? config.client.resume_timeout_seconds : 0,
+            .planar = world.scene->world.planar,
+            .view = world.scene->view};
 }
 
 // Returns the removed entities that the client may still have, if its stream continues after

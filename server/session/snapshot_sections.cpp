@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <utility>
 
+#include "server/session/joints_section.h"
 #include "server/session/optional_sections.h"
 
 namespace jostle::server {
@@ -33,6 +34,9 @@ SnapshotSections::SnapshotSections(const Sources& sources, const Hello& hello)
         points_ = add<PointsSection>(points, sources.broadcast, cells_ ? &cells_->view() : nullptr);
     add<StatsSection>(sources.context.config.stream, sources.context.sessions, sources.broadcast);
     if (hello.events) events_ = add<EventsSection>(sources.broadcast);
+    // After the cells, which send the entities of the joints.
+    if (hello.joints && cells_) add<KnownJointsSection>(*cells_);
+    if (hello.joints && !cells_) add<JointsSection>(sources.broadcast);
     if (hello.players)
         players_ = add<PlayersSection>(sources.broadcast, sources.context.connected_clients);
     if (hello.attributes)

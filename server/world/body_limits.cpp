@@ -29,7 +29,9 @@ constexpr std::size_t always_kept = 10;
 }  // namespace
 
 std::optional<Error> BodyLimits::refusal(const Command& command, const Ownership& ownership) {
-    if (!std::holds_alternative<SpawnCommand>(command.action)) return std::nullopt;
+    if (!std::holds_alternative<SpawnCommand>(command.action) &&
+        !std::holds_alternative<CloneCommand>(command.action))
+        return std::nullopt;
     if (command.account == 0) return std::nullopt;
     accounts_[command.client] = command.account;
     if (settings_.spawn_load_max > 0 && load_ > settings_.spawn_load_max)

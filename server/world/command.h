@@ -15,6 +15,7 @@
 
 #include "jostle/base/result.h"
 #include "jostle/physics/defs.h"
+#include "jostle/physics/joint_defs.h"
 #include "jostle/physics/module.h"
 #include "server/util/clock.h"
 #include "server/world/attribute.h"
@@ -103,6 +104,35 @@ struct CutCommand {
     std::optional<Aim> aim = {};                 // in place of point_object and point
     std::optional<DeformableTarget> deformable;  // after the target was resolved
 };
+// Changes properties of a body. Nothing: the property stays unchanged.
+struct EditCommand {
+    EntityId entity = 0;
+    std::optional<physics::Vec3> position = {};                                // m
+    std::optional<physics::Quat> rotation = {};                                // unit length
+    std::optional<physics::Vec3> linear_velocity = {}, angular_velocity = {};  // m/s, rad/s
+    std::optional<double> mass = {}, density = {};                             // kg, kg/m^3
+    std::optional<double> friction = {}, restitution = {};
+    std::optional<std::uint32_t> color = {};  // 0xRRGGBB
+    std::optional<bool> frozen = {};          // true: static
+    std::optional<double> gravity_scale = {};
+};
+// Spawns a copy of a body, or of all bodies that joints connect to it.
+struct CloneCommand {
+    EntityId entity = 0;
+    physics::Vec3 offset = {};  // m
+    bool jointed = false;
+};
+struct CreateJointCommand {
+    EntityId entity_a = 0, entity_b = 0;           // entity_a 0: the world
+    std::optional<physics::Transform> frame = {};  // world; in place of the frames of the joint
+    physics::JointDef joint = {};                  // without its bodies
+};
+struct DeleteJointCommand {
+    std::uint32_t joint = 0;       // as clients name it
+    physics::JointId target = {};  // after it was resolved
+};
+// Reverts the newest action of the client in the undo log (undo_log.h).
+struct UndoCommand {};
 // The client left: releases its grab and its controlled entity, and deletes its bodies unless they
 // are retained. Has no sequence number.
 struct LeaveCommand {
@@ -138,16 +168,29 @@ struct SendMessageCommand {
     bool to_server = false;         // to the server alone
 };
 
-using Action = std::variant<SpawnCommand, ImpulseCommand, GrabCommand, DragCommand, ReleaseCommand,
-                            DeleteCommand, ExplodeCommand, PossessCommand, ControlCommand,
-                            LeaveCommand, DisconnectCommand, CutCommand, JoinCommand, RenameCommand,
-                            SetRoleCommand, SetAttributesCommand, SendMessageCommand, RoomCommand>;
+using Action =
+    std::variant<SpawnCommand, ImpulseCommand, GrabCommand, DragCommand, ReleaseCommand,
+                 DeleteCommand, ExplodeCommand, PossessCommand, ControlCommand, LeaveCommand,
+                 DisconnectCommand, CutCommand, JoinCommand, RenameCommand, SetRoleCommand,
+                 SetAttributesCommand, SendMessageCommand, RoomCommand, EditCommand, CloneCommand,
+                 CreateJointCommand, DeleteJointCommand, UndoCommand>;
 
 // Inputs that do not change bodies; they are also applied while the world is paused.
 inline bool is_data_command(const Action& action) {
     return std::holds_alternative<RenameCommand>(action) ||
            std::holds_alternative<SetAttributesCommand>(action) ||
            std::holds_alternative<SendMessageCommand>(action);
+}
+
+// Inputs that build: they are also applied while a member of the room paused the world.
+inline bool is_build_command(const Action& action) {
+    return std::holds_alternative<SpawnCommand>(action) ||
+           std::holds_alternative<DeleteCommand>(action) ||
+           std::holds_alternative<EditCommand>(action) ||
+           std::holds_alternative<CloneCommand>(action) ||
+           std::holds_alternative<CreateJointCommand>(action) ||
+           std::holds_alternative<DeleteJointCommand>(action) ||
+           std::holds_alternative<UndoCommand>(action);
 }
 
 // The server sends these commands about a client; they have no sequence number.
@@ -158,6 +201,12 @@ inline bool is_session_command(const Action& action) {
            std::holds_alternative<JoinCommand>(action) ||
            (about_room && std::holds_alternative<EnterRoom>(about_room->kind));
 }
+
+// What an action created, deleted or changed.
+struct Affected {
+    EntityId entity = 0;
+    physics::JointId joint = {};
+};
 
 // The outcome of one input.
 struct InputResult {
@@ -171,6 +220,7 @@ struct InputResult {
     std::optional<std::int64_t> margin_us = {};
     // The view time was older than the oldest frame of the history, which was used instead.
     bool view_time_clamped = false;
+    std::uint32_t joint = 0;  // the created or deleted joint, as clients name it; 0: none
 };
 
 class ResultQueue;

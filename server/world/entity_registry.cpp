@@ -72,6 +72,23 @@ EntityId EntityRegistry::add(const physics::World& world, physics::BodyId body, 
     return id;
 }
 
+void EntityRegistry::update(const physics::World& world, EntityId id,
+                            std::optional<std::uint32_t> color, bool frozen) {
+    const auto at = entities_.find(id);
+    ASSERT(at != entities_.end());
+    const EntityDescription& before = *at->second.description;
+    std::shared_ptr<EntityDescription> description = describe(world, at->second.body);
+    description->id = id;
+    description->owner = before.owner;
+    description->color = color;
+    description->name = before.name;
+    description->frozen = frozen;
+    description->revision = ++revisions_;
+    at->second.description = std::move(description);
+    list_ = nullptr;
+    shape_owners_ = nullptr;
+}
+
 Status EntityRegistry::restore(const physics::World& world, const SavedHostState& host_state) {
     ASSERT(entities_.empty());
     for (const SavedHostState::Entity& saved : host_state.entities) {
@@ -89,17 +106,44 @@ Status EntityRegistry::restore(const physics::World& world, const SavedHostState
         put(saved.id, {saved.body, std::move(description)});
     }
     next_id_ = host_state.next_id;
+    for (const SavedHostState::Updated& saved : host_state.updated_entities) {
+        const auto at = entities_.find(saved.entity);
+        if (at == entities_.end())
+            return Error{ErrorCode::corrupt_data, "corrupt host state: updated entity " +
+                                                      std::to_string(saved.entity) +
+                                                      " does not exist"};
+        auto description = std::make_shared<EntityDescription>(*at->second.description);
+        description->revision = saved.revision;
+        description->frozen = saved.frozen != 0;
+        at->second.description = std::move(description);
+    }
+    revisions_ = host_state.revisions;
     return {};
 }
 
 void EntityRegistry::write(SavedHostState& host_state) const {
     host_state.next_id = next_id_;
+    host_state.revisions = revisions_;
     ASSERT(host_state.entities.empty());
     host_state.entities.reserve(entities_.size());
     for (const auto& [id, entity] : entities_) {
         const EntityDescription& d = *entity.description;
         host_state.entities.push_back(
             {id, entity.body, d.owner, d.color, d.name, d.mass, d.bounding_radius});
+        if (d.revision != 0) host_state.updated_entities.push_back({id, d.revision, d.frozen});
+    }
+}
+
+void EntityRegistry::skip_ids_of(const EntityRegistry& other) {
+    next_id_ = std::max(next_id_, other.next_id_);
+    revisions_ = std::max(revisions_, other.revisions_);
+    for (auto& [id, entity] : entities_) {
+        const Entity* const known = other.find(id);
+        if (!known || known->description->revision == entity.description->revision) continue;
+        auto description = std::make_shared<EntityDescription>(*entity.description);
+        description->revision = ++revisions_;
+        entity.description = std::move(description);
+        list_ = nullptr;
     }
 }
 

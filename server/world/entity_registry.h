@@ -30,12 +30,16 @@ public:
     // Adds a body of the world; its description is a copy of its current state.
     EntityId add(const physics::World& world, physics::BodyId body, ClientId owner,
                  std::optional<std::uint32_t> color, std::string name);
+    // Describes an existing entity again after its body changed.
+    void update(const physics::World& world, EntityId id, std::optional<std::uint32_t> color,
+                bool frozen);
     // Restores the state that write() stored, into an empty registry. corrupt_data: an entity's
     // body does not exist in the world.
     Status restore(const physics::World& world, const SavedHostState& host_state);
     void write(SavedHostState& host_state) const;
     // Never assigns ids that `other` has assigned.
-    void skip_ids_of(const EntityRegistry& other) { next_id_ = std::max(next_id_, other.next_id_); }
+    // Clients of `other` notice each entity that differs in an edit.
+    void skip_ids_of(const EntityRegistry& other);
     EntityId next_id() const { return next_id_; }
     // No entity may have this id.
     void set_next_id(EntityId id) { next_id_ = id; }
@@ -54,7 +58,7 @@ public:
     const std::map<EntityId, Entity>& all() const { return entities_; }       // ascending
     std::size_t size() const { return entities_.size(); }
 
-    // Equal pointers until an entity is added or removed.
+    // Equal pointers until an entity is added, removed or updated.
     const std::shared_ptr<const EntityList>& list();
     const std::shared_ptr<const ShapeOwners>& shape_owners();
 
@@ -64,6 +68,7 @@ private:
     void put(EntityId id, Entity entity);
 
     EntityId next_id_ = 1;
+    std::uint32_t revisions_ = 0;  // number of updates
     std::map<EntityId, Entity> entities_;
     std::vector<EntityId> entity_of_body_;           // by index of the body; 0: none
     std::vector<std::uint32_t> generation_of_body_;  // likewise: of the entity's body

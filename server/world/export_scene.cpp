@@ -48,6 +48,7 @@ public:
         scene.description = origin_.description;
         scene.hz = origin_.hz;
         scene.precision = origin_.precision;
+        scene.view = origin_.view;
         scene.room = origin_.room;
         scene.world = origin_.world;
         scene.world.gravity = world_.gravity();

@@ -16,6 +16,7 @@
 #include "server/util/clock.h"
 #include "server/world/attributes.h"
 #include "server/world/command.h"
+#include "server/world/joint_list.h"
 #include "server/world/module_channels.h"
 #include "server/world/players.h"
 #include "server/world/pose_grid.h"
@@ -26,7 +27,7 @@
 
 namespace jostle::server {
 
-// The constant properties of an entity, which clients receive once, when it appears.
+// The constant properties of an entity, which clients receive when it appears and after an edit.
 struct EntityDescription {
     EntityId id = 0;
     physics::BodyType type = physics::BodyType::dynamic;
@@ -39,11 +40,13 @@ struct EntityDescription {
     bool jointed = false;
     double linear_damping = 0, angular_damping = 0, gravity_scale = 1;
     physics::AxisLocks locks = 0;
+    bool frozen = false;         // an edit made the dynamic body static
+    std::uint32_t revision = 0;  // 0: never edited; otherwise unique in the world
     double bounding_radius = 0;  // m from its origin to its farthest corner; infinite for planes
 };
 
-// In ascending order of id. A new list is made only when an entity appears or disappears, so equal
-// pointers mean equal entity lists.
+// In ascending order of id. A new list is made only when an entity appears, disappears or is
+// edited, so equal pointers mean equal entity lists.
 using EntityList = std::vector<std::shared_ptr<const EntityDescription>>;
 
 // The module state of a controlled entity, encoded by jostle/modules/controlled_entity_state.h.
@@ -76,6 +79,8 @@ struct Frame {
     std::shared_ptr<const PointObjects> points;
     // Of this tick, while a client predicts; null: no entity is controlled.
     std::shared_ptr<const std::vector<ControlledEntityState>> controlled_entities;
+    // While a client subscribes to joints; null: none does.
+    std::shared_ptr<const JointList> joint_list;
     RoomView room;  // null: the world is no room
     // Never null in the frames of a hosted world. Equal pointers mean equal content.
     PlayerListPtr players;
@@ -87,7 +92,10 @@ struct Frame {
     double tick_ms_mean = 0, tick_ms_max = 0;  // of whole ticks, over the last second
     double time_scale = 1;                     // simulated by elapsed time; see TimeScale
     std::optional<std::string> paused;         // the reason; nothing: the world is not paused
-    std::uint32_t late_ticks = 0;              // skipped since the start of the world
+    std::uint32_t speed_percent = 100;         // of real time; set by members of a room
+    // Ticks to which members of a room can rewind it, ascending; null: none.
+    std::shared_ptr<const std::vector<std::uint32_t>> restorable_ticks;
+    std::uint32_t late_ticks = 0;  // skipped since the start of the world
 
     // The grid of `entities`, built by the first call. Any thread.
     const PoseGrid& pose_grid() const;

@@ -13,7 +13,14 @@ namespace jostle::server {
 FramePublisher::FramePublisher(double hz, std::function<void(bool has_events)> on_frame)
     : on_frame_(std::move(on_frame)),
       tick_ms_(static_cast<std::size_t>(std::max(1.0, hz)), 0.0),
+      hz_(hz),
       time_scale_(hz) {}
+
+void FramePublisher::set_speed(double speed) {
+    if (speed == speed_) return;
+    speed_ = speed;
+    time_scale_.set_hz(speed * hz_);
+}
 
 FramePtr FramePublisher::frame() const {
     const std::lock_guard lock(mutex_);
@@ -50,7 +57,7 @@ void FramePublisher::measure(Frame& frame, Clock::time_point began) {
         time_scale_.reset();
     else
         time_scale_.count_tick(began);
-    frame.time_scale = frame.paused ? 0 : time_scale_.value(began);
+    frame.time_scale = frame.paused ? 0 : speed_ * time_scale_.value(began);
 }
 
 void FramePublisher::set_frame(FramePtr frame) {

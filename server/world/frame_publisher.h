@@ -23,6 +23,7 @@ struct FrameListeners {
     std::atomic<int> motion{0};  // velocities of bodies (module_channels.h)
     std::atomic<int> points{0};  // point objects of modules
     std::atomic<int> controlled_entities{0};
+    std::atomic<int> joints{0};  // the list of joints
 };
 
 class FramePublisher {
@@ -45,6 +46,8 @@ public:
     void measure(Frame& frame, Clock::time_point began);
     // Counts a tick without a frame, at the time at which it was due.
     void count_resting_tick(Clock::time_point due) { time_scale_.count_tick(due); }
+    // Ticks have this share of their rate from now on.
+    void set_speed(double speed);
     TimeScale::Change poll_time_scale(Clock::time_point now) {
         return time_scale_.poll_change(now);
     }
@@ -59,7 +62,9 @@ private:
     std::shared_ptr<const RecentEvents> events_ = std::make_shared<const RecentEvents>();
     std::vector<double> tick_ms_;  // ring of the last second
     std::size_t next_ = 0;
-    TimeScale time_scale_;
+    const double hz_;
+    double speed_ = 1;
+    TimeScale time_scale_;                // relative to the speed
     std::uint32_t published_events_ = 0;  // count of events in the newest frame
     bool has_new_events_ = false;
     mutable std::mutex mutex_;

@@ -72,6 +72,11 @@ Result<HostedWorld> HostedWorld::restore(World world, const SavedHostState& host
     }
     if (Status s = state.attributes.restore(host_state); !s.ok()) return s.error();
     state.messages.set_count(host_state.messages);
+    state.joint_owners.restore(host_state);
+    std::map<ClientId, std::deque<UndoStep>> undo;
+    for (const SavedHostState::ClientUndo& of : host_state.undo)
+        undo[of.client] = {of.steps.begin(), of.steps.end()};
+    state.undo.restore(std::move(undo));
     for (const SavedHostState::ProcessedInput& input : host_state.processed)
         hosted.last_sequences_[input.client] = input.sequence;
     hosted.quarantined_.insert(host_state.quarantined.begin(), host_state.quarantined.end());
@@ -97,6 +102,9 @@ SavedHostState HostedWorld::host_state(std::uint32_t tick) const {
     state_.players.write(host_state);
     state_.attributes.write(host_state);
     host_state.messages = state_.messages.count();
+    state_.joint_owners.write(state_.world, host_state);
+    for (const auto& [client, steps] : state_.undo.all())
+        host_state.undo.push_back({client, {steps.begin(), steps.end()}});
     for (const auto& [client, sequence] : last_sequences_)
         host_state.processed.push_back({client, sequence});
     if (room_) host_state.room = room_->state();
@@ -124,12 +132,7 @@ void HostedWorld::continue_from(const HostedWorld& later) {
 }
 
 std::uint64_t HostedWorld::data_hash() const {
-    SavedHostState data;
-    state_.players.write(data);
-    state_.attributes.write(data);
-    data.messages = state_.messages.count();
-    if (room_) data.room = room_->state();
-    return server::data_hash(data);
+    return server::data_hash(host_state(0));
 }
 
 void HostedWorld::release_all_clients() {
@@ -189,11 +192,38 @@ Status HostedWorld::apply_and_record(const Command& command, InputResult& result
         action = &resolved;
         status = resolve_target(state_, channels_, *frame_history_, *state_.entities.list(),
                                 resolved, result);
+    } else if (const auto* deletion = std::get_if<DeleteJointCommand>(&command.action);
+               deletion && deletion->joint != 0) {
+        // The ids of clients are not part of the state of the world.
+        resolved = DeleteJointCommand{deletion->joint, joints_.find(deletion->joint)};
+        action = &resolved;
+    }
+    if (const auto* named = std::get_if<DeleteJointCommand>(&command.action);
+        named && named->joint != 0) {
+        resolved = DeleteJointCommand{named->joint, joints_.find(named->joint)};
+        action = &resolved;
     }
     if (journal_enabled_)
         journal_.push_back({command.client, command.sequence,
                             status.ok() ? std::optional(*action) : std::nullopt});
-    return status.ok() ? apply_by_rules(command.client, *action, result.entity) : status;
+    if (!status.ok()) return status;
+    Affected affected{.entity = result.entity};
+    status = apply_by_rules(command.client, *action, affected);
+    result.entity = affected.entity;
+    if (!is_null(affected.joint)) result.joint = joints_.id_of(affected.joint);
+    return status;
+}
+
+Result<BodyInspection> HostedWorld::inspect_entity(EntityId entity) {
+    return inspect_body(state_, entity, [this](JointId joint) { return joints_.id_of(joint); });
+}
+
+Result<JointInspection> HostedWorld::inspect_joint(std::uint32_t joint) {
+    const JointId id = joints_.find(joint);
+    if (!state_.world.contains(id))
+        return Error{ErrorCode::not_found, "joint " + std::to_string(joint) + " does not exist"};
+    return server::inspect_joint(state_, id,
+                                 [this](JointId known) { return joints_.id_of(known); });
 }
 
 Status HostedWorld::apply_as_server(const Action& action) {
@@ -225,15 +255,15 @@ EntityId HostedWorld::replay(const JournaledCommand& command, EntityId spawned) 
         last_sequences_.erase(command.client);
     else if (command.sequence != 0)
         last_sequences_[command.client] = command.sequence;
-    EntityId affected = 0;
-    if (!has) return affected;
+    Affected affected;
+    if (!has) return 0;
     EntityRegistry& entities = state_.entities;
     const EntityId next = entities.next_id();
     const bool has_id = spawned != 0 && !entities.find(spawned);
     if (has_id) entities.set_next_id(spawned);
     static_cast<void>(apply_by_rules(command.client, *command.action, affected).ok());
-    if (has_id) entities.set_next_id(std::max(next, spawned + 1));
-    return affected;
+    if (has_id) entities.set_next_id(std::max(next, entities.next_id()));
+    return affected.entity;
 }
 
 Status HostedWorld::step(double dt, std::uint32_t tick) {
@@ -361,6 +391,9 @@ void HostedWorld::copy_into(Frame& frame) {
             frame.controlled_entities = std::make_shared<const std::vector<ControlledEntityState>>(
                 std::move(controlled_entities));
     }
+    if (publishes_joints_)
+        frame.joint_list =
+            joints_.list(world, [this](BodyId body) { return state_.entities.find_living(body); });
     if (room_) frame.room = room_->view();
     frame.contacts = world.profile().touching;
     frame.step_ms = world.profile().step_ms;

@@ -18,6 +18,8 @@
 #include "server/world/command.h"
 #include "server/world/export_scene.h"
 #include "server/world/frame.h"
+#include "server/world/inspection.h"
+#include "server/world/joint_list.h"
 #include "server/world/module_channels.h"
 #include "server/world/query_frame.h"
 #include "server/world/room.h"
@@ -93,6 +95,8 @@ public:
     void publish_motion(bool wanted) { channels_.publish_motion(wanted); }
     // Whether frames carry point objects.
     void publish_points(bool wanted) { channels_.publish_points(wanted); }
+    // Whether frames carry the list of joints.
+    void publish_joints(bool wanted) { publishes_joints_ = wanted; }
     // Whether frames carry the states of controlled entities.
     void publish_controlled_entities(bool wanted) { publishes_controlled_entities_ = wanted; }
     // Any thread: physics::World::stop_stepping().
@@ -112,6 +116,9 @@ public:
         return channels_.newly_oversized();
     }
     QueryFramePtr query_frame(std::uint32_t tick, CopyLayers layers);
+    // The state of one entity or joint; `joint`: as clients name it. not_found: there is none.
+    Result<BodyInspection> inspect_entity(EntityId entity);
+    Result<JointInspection> inspect_joint(std::uint32_t joint);
     // The current state; `origin` is the scene from which the world was created.
     ExportedScene exported(const scenes::SceneDescription& origin) {
         return export_scene(state_, origin, ids_);
@@ -143,7 +150,7 @@ private:
     Status limit_pairs();
     Status apply_and_record(const Command& command, InputResult& result);
     // By the rules of the room, if the world is one.
-    Status apply_by_rules(ClientId client, const Action& action, EntityId& affected) {
+    Status apply_by_rules(ClientId client, const Action& action, Affected& affected) {
         return room_ ? room_->apply(state_, client, action, affected)
                      : apply_action(state_, client, action, affected);
     }
@@ -160,6 +167,8 @@ private:
     double work_per_second_ = 0;
     ModuleChannels channels_;
     bool publishes_controlled_entities_ = false;
+    bool publishes_joints_ = false;
+    JointRegistry joints_;
     std::map<ClientId, std::uint32_t> last_sequences_;  // of the inputs of each client
     std::set<EntityId> quarantined_;                    // reported
     bool journal_enabled_ = false;

@@ -43,6 +43,7 @@ struct Target {
     TargetOwner owner = TargetOwner::no_target;
     std::optional<Vec3> point = {};
     double radius = 0;
+    std::optional<Vec3> second_point = {};  // of a joint
 };
 
 Target on_entity(const HostedState& world, ClientId client, RoomAction action, EntityId id) {
@@ -57,7 +58,70 @@ Target on_entity(const HostedState& world, ClientId client, RoomAction action, E
             .point = body.ok() ? std::optional(body->pose.position) : std::nullopt};
 }
 
+// Two bodies: the rights of the one to which fewer roles have access.
+Target on_pair(const HostedState& world, ClientId client, EntityId a, EntityId b) {
+    Target target = on_entity(world, client, RoomAction::joints, b);
+    if (a == 0) return target;
+    const Target other = on_entity(world, client, RoomAction::joints, a);
+    target.owner = std::max(target.owner, other.owner);
+    target.second_point = other.point;
+    return target;
+}
+
+Target on_joint(const HostedState& world, ClientId client, JointId id) {
+    Target target{.action = RoomAction::joints};
+    const Result<JointState> joint = world.world.joint(id);
+    if (!joint.ok()) return target;  // apply_action() refuses it
+    // A joint without an owner belongs to the scene.
+    const ClientId owner = world.joint_owners.owner_of(id);
+    target.owner = owner == client         ? TargetOwner::self
+                   : owner == scene_client ? TargetOwner::scene
+                                           : TargetOwner::other;
+    const auto position = [&](BodyId body) -> std::optional<Vec3> {
+        const Result<BodyState> state = world.world.body(body);
+        return state.ok() ? std::optional(state->pose.position) : std::nullopt;
+    };
+    target.point = position(joint->def.body_b);
+    target.second_point = position(joint->def.body_a);
+    return target;
+}
+
+// An undo requires the permission for the action that reverts the other one.
+std::optional<Target> on_undo(const HostedState& world, ClientId client) {
+    const UndoStep* const step = world.undo.newest(client);
+    if (!step) return std::nullopt;
+    switch (step->kind) {
+        case UndoStep::Kind::spawned:
+            return on_entity(world, client, RoomAction::remove, step->entities.front());
+        case UndoStep::Kind::deleted:
+            return Target{.action = RoomAction::spawn};
+        case UndoStep::Kind::edited:
+            return on_entity(world, client, RoomAction::edit, step->entities.front());
+        case UndoStep::Kind::joint_created:
+            return on_joint(world, client, step->joint);
+        case UndoStep::Kind::joint_deleted:
+            return on_pair(world, client, step->joints.front().entity_a,
+                           step->joints.front().entity_b);
+    }
+    return std::nullopt;
+}
+
 std::optional<Target> target_of(const HostedState& world, ClientId client, const Action& action) {
+    if (const auto* edit = std::get_if<EditCommand>(&action)) {
+        Target target = on_entity(world, client, RoomAction::edit, edit->entity);
+        target.second_point = edit->position;
+        return target;
+    }
+    if (const auto* clone = std::get_if<CloneCommand>(&action)) {
+        Target target = on_entity(world, client, RoomAction::clone, clone->entity);
+        if (target.point) target.point = *target.point + clone->offset;
+        return target;
+    }
+    if (const auto* joint = std::get_if<CreateJointCommand>(&action))
+        return on_pair(world, client, joint->entity_a, joint->entity_b);
+    if (const auto* joint = std::get_if<DeleteJointCommand>(&action))
+        return on_joint(world, client, joint->target);
+    if (std::holds_alternative<UndoCommand>(action)) return on_undo(world, client);
     if (const auto* spawn = std::get_if<SpawnCommand>(&action))
         return Target{.action = RoomAction::spawn, .point = spawn->pose.position};
     if (const auto* push = std::get_if<ImpulseCommand>(&action)) {
@@ -104,6 +168,10 @@ double energy_of(const HostedState& world, const Action& action, EntityId affect
     };
     if (const auto* spawn = std::get_if<SpawnCommand>(&action))
         return 0.5 * mass_of(affected) * dot(spawn->linear_velocity, spawn->linear_velocity);
+    if (const auto* edit = std::get_if<EditCommand>(&action)) {
+        if (!edit->linear_velocity) return 0;
+        return 0.5 * mass_of(edit->entity) * dot(*edit->linear_velocity, *edit->linear_velocity);
+    }
     if (const auto* push = std::get_if<ImpulseCommand>(&action)) {
         const double impulse = length(push->impulse);
         if (push->deformable) return 0.5 * impulse * speed_change_max;
@@ -117,9 +185,30 @@ double energy_of(const HostedState& world, const Action& action, EntityId affect
 }
 
 bool needs_energy(const Action& action) {
-    return std::holds_alternative<SpawnCommand>(action) ||
+    const auto* const edit = std::get_if<EditCommand>(&action);
+    return (edit && edit->linear_velocity) || std::holds_alternative<SpawnCommand>(action) ||
            std::holds_alternative<ImpulseCommand>(action) ||
            std::holds_alternative<ExplodeCommand>(action);
+}
+
+struct AddedObjects {
+    std::size_t bodies = 0, joints = 0;
+};
+
+AddedObjects added_objects(const HostedState& world, ClientId client, const Action& action) {
+    if (std::holds_alternative<SpawnCommand>(action)) return {.bodies = 1};
+    if (std::holds_alternative<CreateJointCommand>(action)) return {.joints = 1};
+    if (const auto* clone = std::get_if<CloneCommand>(&action)) {
+        const JointedGroup group = jointed_group(world, clone->entity, clone->jointed);
+        return {group.entities.size(), group.joints.size()};
+    }
+    if (!std::holds_alternative<UndoCommand>(action)) return {};
+    const UndoStep* const step = world.undo.newest(client);
+    if (!step) return {};
+    const auto own =
+        static_cast<std::size_t>(std::ranges::count(step->joints, client, &UndoStep::Joint::owner));
+    return {.bodies = step->kind == UndoStep::Kind::deleted && step->owner == client ? 1u : 0u,
+            .joints = own};
 }
 
 double explosions_max(const RoleQuotas& quotas) {
@@ -136,7 +225,7 @@ RoomState new_room(RoomProperties properties, const std::string& owner) {
 
 // --- actions ---
 
-Status Room::apply(HostedState& world, ClientId client, const Action& action, EntityId& affected) {
+Status Room::apply(HostedState& world, ClientId client, const Action& action, Affected& affected) {
     const Status done = apply_by_rules(world, client, action, affected);
     if (std::exchange(has_new_roles_, false)) publish_roles(world);
     return done;
@@ -152,7 +241,7 @@ void Room::publish_roles(HostedState& world) {
 }
 
 Status Room::apply_by_rules(HostedState& world, ClientId client, const Action& action,
-                            EntityId& affected) {
+                            Affected& affected) {
     if (const auto* role = std::get_if<SetRoleCommand>(&action))
         return apply(world, client, RoomCommand{SetRole{role->player, role->role}});
     if (const auto* join = std::get_if<JoinCommand>(&action)) {
@@ -182,10 +271,9 @@ Status Room::apply_by_rules(HostedState& world, ClientId client, const Action& a
     if (Status s = check(world, by, action); !s.ok()) return s;
     if (Status s = check_areas(world, by, action); !s.ok()) return s;
     if (Status s = check_quotas(world, by, action); !s.ok()) return s;
-    // The table replaces the rule that clients delete only their own bodies.
-    const bool removes = std::holds_alternative<DeleteCommand>(action);
-    const Status done = apply_action(world, removes ? scene_client : client, action, affected);
-    if (done.ok()) charge(world, by, action, affected);
+    // The table replaces the rule that clients change only their own bodies.
+    const Status done = apply_action(world, client, action, affected, Reachable::any);
+    if (done.ok()) charge(world, by, action, affected.entity);
     return done;
 }
 
@@ -231,7 +319,9 @@ Status Room::check_areas(const HostedState& world, const RoomClient& client,
     const Target target = *target_of(world, client.client, action);
     if (!target.point) return {};
     for (const ProtectedArea& area : state_.properties.areas)
-        if (client.role < area.min_role && area.contains(*target.point, target.radius))
+        if (client.role < area.min_role &&
+            (area.contains(*target.point, target.radius) ||
+             (target.second_point && area.contains(*target.second_point))))
             return denied(
                 fmt::format("the area {} is protected: it requires the role {}, and the "
                             "client has the role {}",
@@ -239,15 +329,31 @@ Status Room::check_areas(const HostedState& world, const RoomClient& client,
     return {};
 }
 
-Status Room::check_quotas(const HostedState& world, RoomClient& client,
+Status Room::check_counts(const HostedState& world, const RoomClient& client,
                           const Action& action) const {
     const RoleQuotas& quotas = state_.properties.quotas_of(client.role);
-    const auto owned = static_cast<std::uint32_t>(world.ownership.count(client.client));
-    if (quotas.bodies > 0 && std::holds_alternative<SpawnCommand>(action) && owned >= quotas.bodies)
+    const auto refused = [&](std::string_view quota, std::size_t owned, std::uint32_t limit) {
         return Error{ErrorCode::resource_exhausted,
-                     fmt::format("the client owns {} bodies; room.quotas: {}.bodies allows {}; "
-                                 "delete a body first",
-                                 owned, name_of(client.role), quotas.bodies)};
+                     fmt::format("the client owns {0} {1}; room.quotas: {2}.{1} allows {3}; delete "
+                                 "a {4} first",
+                                 owned, quota, name_of(client.role), limit,
+                                 quota == "bodies" ? "body" : "joint")};
+    };
+    const AddedObjects added = added_objects(world, client.client, action);
+    const auto bodies = static_cast<std::size_t>(world.ownership.count(client.client));
+    if (quotas.bodies > 0 && added.bodies > 0 && bodies + added.bodies > quotas.bodies)
+        return refused("bodies", bodies, quotas.bodies);
+    if (quotas.joints == 0 || added.joints == 0) return {};
+    const auto joints =
+        static_cast<std::size_t>(world.joint_owners.count(world.world, client.client));
+    if (joints + added.joints > quotas.joints) return refused("joints", joints, quotas.joints);
+    return {};
+}
+
+Status Room::check_quotas(const HostedState& world, RoomClient& client,
+                          const Action& action) const {
+    if (Status s = check_counts(world, client, action); !s.ok()) return s;
+    const RoleQuotas& quotas = state_.properties.quotas_of(client.role);
     const auto refused = [&](std::string_view quota, double limit, double seconds) {
         const int ms = static_cast<int>(std::ceil(1000 * (seconds + 1 / hz_)));
         return Error{ErrorCode::resource_exhausted,
@@ -535,7 +641,7 @@ Status Room::apply(HostedState& world, RoomClient* by, const CleanUpBodies& c) {
     std::vector<EntityId> bodies;
     for (const auto& [id, entity] : world.entities.all())
         if (entity.description->owner == c.client) bodies.push_back(id);
-    EntityId ignored = 0;
+    Affected ignored;
     for (const EntityId id : bodies) {
         const Status removed = apply_action(world, scene_client, DeleteCommand{id}, ignored);
         ASSERT(removed.ok());
@@ -646,6 +752,27 @@ Status Room::apply(HostedState&, RoomClient* by, const ResetRoom&) {
     return {};
 }
 
+Status Room::apply(HostedState&, RoomClient* by, const StepRoom& c) {
+    if (by)
+        if (Status s = may(by->client, RoomAction::pause); !s.ok()) return s;
+    requests_.steps += c.steps;
+    return {};
+}
+
+Status Room::apply(HostedState&, RoomClient* by, const SetRoomSpeed& c) {
+    if (by)
+        if (Status s = may(by->client, RoomAction::speed); !s.ok()) return s;
+    requests_.speed_percent = c.percent;
+    return {};
+}
+
+Status Room::apply(HostedState&, RoomClient* by, const RewindRoom& c) {
+    if (by)
+        if (Status s = may(by->client, RoomAction::rewind); !s.ok()) return s;
+    requests_.rewind = c.tick;
+    return {};
+}
+
 // Roles, bans and the owner stay.
 Status Room::apply(HostedState&, RoomClient* by, const UpdateRoom& c) {
     if (by)
@@ -692,6 +819,19 @@ Status check_room_command(const RoomCommand& command) {
         unban && unban->member.size() > RoomCommand::member_bytes_max)
         return invalid_argument(fmt::format("unban.member has {} bytes; at most {} are allowed",
                                             unban->member.size(), RoomCommand::member_bytes_max));
+    if (const auto* step = std::get_if<StepRoom>(&command.kind);
+        step && (step->steps == 0 || step->steps > StepRoom::steps_max))
+        return invalid_argument(fmt::format("step.steps is {}; it must be from 1 to {}",
+                                            step->steps, StepRoom::steps_max));
+    if (const auto* speed = std::get_if<SetRoomSpeed>(&command.kind);
+        speed &&
+        (speed->percent < SetRoomSpeed::percent_min || speed->percent > SetRoomSpeed::percent_max ||
+         speed->percent % SetRoomSpeed::percent_step != 0))
+        return invalid_argument(
+            fmt::format("speed.percent is {}; it must be a multiple of {} "
+                        "from {} to {}",
+                        speed->percent, SetRoomSpeed::percent_step, SetRoomSpeed::percent_min,
+                        SetRoomSpeed::percent_max));
     if (const auto* protect = std::get_if<ProtectArea>(&command.kind))
         return check_area(protect->area);
     if (const auto* update = std::get_if<UpdateRoom>(&command.kind))

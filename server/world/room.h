@@ -25,7 +25,7 @@ public:
     Room(RoomState state, double hz) : state_(std::move(state)), hz_(hz) {}
 
     // Applies an action if the rules allow it. Sets `affected` like apply_action().
-    Status apply(HostedState& world, ClientId client, const Action& action, EntityId& affected);
+    Status apply(HostedState& world, ClientId client, const Action& action, Affected& affected);
     // After each step of the world.
     void on_step();
     // Whether the client may send messages to other clients now. Errors: it is muted
@@ -42,6 +42,9 @@ public:
     struct Requests {
         std::optional<bool> paused = {};
         bool reset = false;
+        std::uint32_t steps = 0;  // of a world that a member paused
+        std::optional<std::uint32_t> speed_percent = {};
+        std::optional<std::uint32_t> rewind = {};  // tick
     };
     Requests take_requests() { return std::exchange(requests_, {}); }
 
@@ -50,6 +53,8 @@ private:
     Status check(const HostedState& world, const RoomClient& client, const Action& action) const;
     Status check_areas(const HostedState& world, const RoomClient& client,
                        const Action& action) const;
+    Status check_counts(const HostedState& world, const RoomClient& client,
+                        const Action& action) const;
     Status check_quotas(const HostedState& world, RoomClient& client, const Action& action) const;
     void charge(const HostedState& world, RoomClient& client, const Action& action,
                 EntityId affected) const;
@@ -70,6 +75,9 @@ private:
     Status apply(HostedState&, RoomClient* by, const PauseRoom& c);
     Status apply(HostedState&, RoomClient* by, const ResetRoom&);
     Status apply(HostedState&, RoomClient* by, const UpdateRoom& c);
+    Status apply(HostedState&, RoomClient* by, const StepRoom& c);
+    Status apply(HostedState&, RoomClient* by, const SetRoomSpeed& c);
+    Status apply(HostedState&, RoomClient* by, const RewindRoom& c);
 
     void enter(ClientId client, const EnterRoom& c);
     void leave(ClientId client);
@@ -77,7 +85,7 @@ private:
     // The list of players has the roles of the room.
     void publish_roles(HostedState& world);
     Status apply_by_rules(HostedState& world, ClientId client, const Action& action,
-                          EntityId& affected);
+                          Affected& affected);
     // The client on which `by` may act: its own role must be higher.
     Result<RoomClient*> subordinate(const RoomClient* by, RoomAction action, ClientId client);
     void remove(RoomClient& client, std::string reason);

@@ -10,7 +10,7 @@
 namespace jostle::server {
 namespace {
 
-constexpr std::uint64_t room_version = 1;
+constexpr std::uint64_t room_version = 2;
 
 // visit() lists the fields of each structure once; the writer and the reader are its visitors.
 struct Writer {
@@ -88,8 +88,10 @@ void visit_properties(Visitor& v, Properties& p) {
     for (auto& row : p.permissions.reach)
         for (auto& reach : row) v.choice(reach, reaches);
     for (auto& quotas : p.quotas)
-        v(quotas.bodies), v(quotas.energy_per_second), v(quotas.explosions_per_minute);
+        v(quotas.bodies), v(quotas.joints), v(quotas.energy_per_second),
+            v(quotas.explosions_per_minute);
     v.list(p.areas, [&](auto& area) { visit_area(v, area); });
+    v(p.timeline_seconds);
 }
 
 template <class Visitor, class State>
@@ -140,6 +142,12 @@ void visit_command(Visitor& v, Command& c) {
         visit_properties(v, properties);
         if constexpr (!std::is_const_v<Command>)
             c.properties = std::make_shared<const RoomProperties>(std::move(properties));
+    } else if constexpr (std::is_same_v<Kind, StepRoom>) {
+        v(c.steps);
+    } else if constexpr (std::is_same_v<Kind, SetRoomSpeed>) {
+        v(c.percent);
+    } else if constexpr (std::is_same_v<Kind, RewindRoom>) {
+        v(c.tick);
     } else {
         static_assert(std::is_same_v<Kind, ResetRoom>);
     }

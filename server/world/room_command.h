@@ -63,6 +63,20 @@ struct PauseRoom {
 };
 // Starts the world from its scene again.
 struct ResetRoom {};
+// Steps a world that a member of the room paused.
+struct StepRoom {
+    static constexpr std::uint32_t steps_max = 60;
+    std::uint32_t steps = 1;
+};
+// Changes the time between two ticks, not the result of a step.
+struct SetRoomSpeed {
+    static constexpr std::uint32_t percent_min = 5, percent_max = 100, percent_step = 5;
+    std::uint32_t percent = percent_max;
+};
+// Continues the world from an earlier state.
+struct RewindRoom {
+    std::uint32_t tick = 0;
+};
 
 // Replaces all settings.
 struct UpdateRoom {
@@ -75,7 +89,8 @@ struct RoomCommand {
     static constexpr std::size_t reason_bytes_max = 100, member_bytes_max = 320;
 
     std::variant<EnterRoom, SetRole, KickClient, BanClient, UnbanMember, MuteClient, CleanUpBodies,
-                 ProtectArea, UnprotectArea, VoteToKick, PauseRoom, ResetRoom, UpdateRoom>
+                 ProtectArea, UnprotectArea, VoteToKick, PauseRoom, ResetRoom, UpdateRoom, StepRoom,
+                 SetRoomSpeed, RewindRoom>
         kind;
 };
 

@@ -9,8 +9,9 @@ namespace jostle::server {
 namespace {
 
 constexpr std::array<std::string_view, room_actions> action_names = {
-    "spawn",    "drag", "push", "explode", "delete",   "joints",  "control", "message", "vote",
-    "clean_up", "mute", "kick", "ban",     "set_role", "protect", "pause",   "reset",   "settings"};
+    "spawn", "drag",     "push", "explode", "delete", "joints",   "control", "message",
+    "vote",  "clean_up", "mute", "kick",    "ban",    "set_role", "protect", "pause",
+    "reset", "settings", "edit", "clone",   "speed",  "rewind"};
 constexpr std::array<std::string_view, reaches> reach_names = {"none", "own", "unowned", "any"};
 
 template <class Value, std::size_t count>

@@ -21,7 +21,7 @@ enum class RoomAction : std::uint8_t {
     push,
     explode,
     remove,  // delete entities
-    joints,  // cut ropes and cloths
+    joints,  // create and delete joints, cut ropes and cloths
     control,
     message,
     vote,
@@ -31,11 +31,15 @@ enum class RoomAction : std::uint8_t {
     ban,
     set_role,
     protect,  // add and remove protected areas
-    pause,
+    pause,    // pause, resume and step the world
     reset,
     settings,  // replace the settings of the room
+    edit,      // change the properties of bodies
+    clone,
+    speed,   // slow motion
+    rewind,  // continue from an earlier state
 };
-inline constexpr std::size_t room_actions = 18;
+inline constexpr std::size_t room_actions = 22;
 
 // The entities on which a role may act. Actions without a target need any reach but none.
 enum class Reach : std::uint8_t {
@@ -101,6 +105,10 @@ constexpr PermissionTable default_permissions() {
         {RoomAction::pause, none, none, any, any},
         {RoomAction::reset, none, none, none, any},
         {RoomAction::settings, none, none, none, any},
+        {RoomAction::edit, none, own, unowned, any},
+        {RoomAction::clone, none, unowned, any, any},
+        {RoomAction::speed, none, none, any, any},
+        {RoomAction::rewind, none, none, none, any},
     };
     static_assert(std::size(rows) == room_actions);
     PermissionTable table;

@@ -102,6 +102,10 @@ Status check_properties(const RoomProperties& room) {
                                             room.capacity, RoomProperties::capacity_max));
     if (room.initial_role == PlayerRole::unspecified || room.initial_role == PlayerRole::owner)
         return invalid_argument("room.initial_role must be spectator, player or builder");
+    if (room.timeline_seconds > RoomProperties::timeline_seconds_max)
+        return invalid_argument(fmt::format("room.timeline_seconds is {}; it must be from 0 to {}",
+                                            room.timeline_seconds,
+                                            RoomProperties::timeline_seconds_max));
     if (room.areas.size() > RoomProperties::areas_max)
         return invalid_argument(fmt::format("room.areas has {} entries; at most {} are allowed",
                                             room.areas.size(), RoomProperties::areas_max));
@@ -146,13 +150,15 @@ Status set_quota(RoomProperties& room, const std::string& key, double value) {
     RoleQuotas& quotas = room.quotas[static_cast<std::size_t>(at->role)];
     if (at->name == "bodies")
         quotas.bodies = static_cast<std::uint32_t>(std::min(std::floor(value), 1e9));
+    else if (at->name == "joints")
+        quotas.joints = static_cast<std::uint32_t>(std::min(std::floor(value), 1e9));
     else if (at->name == "energy_per_second")
         quotas.energy_per_second = value;
     else if (at->name == "explosions_per_minute")
         quotas.explosions_per_minute = value;
     else
         return invalid_argument(
-            fmt::format("room.quotas: {} names no quota; use bodies, energy_per_second or "
+            fmt::format("room.quotas: {} names no quota; use bodies, joints, energy_per_second or "
                         "explosions_per_minute",
                         quoted(key, 64)));
     return {};

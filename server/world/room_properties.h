@@ -20,6 +20,7 @@ namespace jostle::server {
 // Limits of each client of a role. 0: unlimited; the limits of the server apply as well.
 struct RoleQuotas {
     std::uint32_t bodies = 0;      // that the client owns
+    std::uint32_t joints = 0;      // likewise
     double energy_per_second = 0;  // J/s, given to bodies by spawns, pushes and explosions
     double explosions_per_minute = 0;
 
@@ -40,7 +41,7 @@ struct RoomProperties {
     static constexpr std::size_t title_bytes_max = 64, description_bytes_max = 512, tags_max = 16,
                                  tag_bytes_max = 32, join_code_bytes_max = 64, areas_max = 64,
                                  area_name_bytes_max = 32;
-    static constexpr std::uint32_t capacity_max = 10000;
+    static constexpr std::uint32_t capacity_max = 10000, timeline_seconds_max = 60;
 
     std::string title = {}, description = {};
     std::vector<std::string> tags = {};  // of a-z, 0-9, '_' and '-'
@@ -52,13 +53,14 @@ struct RoomProperties {
     PermissionTable permissions = default_permissions();
     std::array<RoleQuotas, player_roles> quotas = default_quotas();  // by role
     std::vector<ProtectedArea> areas = {};
+    std::uint32_t timeline_seconds = 0;  // of the past to which members can rewind the room
 
     static constexpr std::array<RoleQuotas, player_roles> default_quotas() {
         std::array<RoleQuotas, player_roles> quotas{};
         quotas[static_cast<std::size_t>(PlayerRole::player)] = {
-            .bodies = 30, .energy_per_second = 1e5, .explosions_per_minute = 12};
+            .bodies = 30, .joints = 30, .energy_per_second = 1e5, .explosions_per_minute = 12};
         quotas[static_cast<std::size_t>(PlayerRole::builder)] = {
-            .bodies = 0, .energy_per_second = 1e6, .explosions_per_minute = 60};
+            .bodies = 0, .joints = 0, .energy_per_second = 1e6, .explosions_per_minute = 60};
         return quotas;
     }
     const RoleQuotas& quotas_of(PlayerRole role) const {

@@ -12,9 +12,9 @@ namespace jostle::server {
 namespace {
 
 // See docs/design/format_changes.md. Version 1 has no players, attributes and messages, version 2
-// no room.
-constexpr std::uint64_t version_of_players = 2, version_of_rooms = 3;
-constexpr std::uint64_t host_state_version = version_of_rooms, oldest_version = 1;
+// no room, version 3 no edits.
+constexpr std::uint64_t version_of_players = 2, version_of_rooms = 3, version_of_edits = 4;
+constexpr std::uint64_t host_state_version = version_of_edits, oldest_version = 1;
 constexpr std::uint32_t no_color = 0xffffffff;  // colours have 24 bits
 
 // visit() lists the fields once; the writer and the reader are its visitors.
@@ -90,6 +90,29 @@ void visit_players(Visitor& v, HostState& host_state) {
 }
 
 template <class Visitor, class HostState>
+void visit_edits(Visitor& v, HostState& host_state) {
+    v(host_state.revisions);
+    v.list(host_state.updated_entities, [&](auto& e) { v(e.entity), v(e.revision), v(e.frozen); });
+    v.list(host_state.owned_joints, [&](auto& o) { v(o.client), visit_id(v, o.joint); });
+    v.list(host_state.undo, [&](auto& of) {
+        v(of.client);
+        v.list(of.steps, [&](auto& step) {
+            visit_enum(v, step.kind);
+            v.list(step.entities, [&](auto& id) { v(id); });
+            visit_id(v, step.joint);
+            v(step.fields), v(step.record), v(step.owner), v(step.color), v(step.name);
+            auto frozen = static_cast<std::uint32_t>(step.frozen);
+            v(frozen);
+            if constexpr (!std::is_const_v<std::remove_reference_t<decltype(step)>>)
+                step.frozen = frozen != 0;
+            v.list(step.joints, [&](auto& joint) {
+                v(joint.entity_a), v(joint.entity_b), v(joint.owner), v(joint.record);
+            });
+        });
+    });
+}
+
+template <class Visitor, class HostState>
 void visit(Visitor& v, HostState& host_state) {
     v(host_state.tick);
     v(host_state.next_id);
@@ -117,6 +140,26 @@ void visit(Visitor& v, HostState& host_state) {
 
 Error corrupt_host_state(const std::string& fault) {
     return {ErrorCode::corrupt_data, "corrupt host state: " + fault};
+}
+
+// Empty: the edits are valid.
+std::string fault_of_edits(const SavedHostState& host_state) {
+    for (const SavedHostState::Updated& updated : host_state.updated_entities)
+        if (updated.revision == 0 || updated.revision > host_state.revisions)
+            return "updated entity " + std::to_string(updated.entity) + " has revision " +
+                   std::to_string(updated.revision) + " of " + std::to_string(host_state.revisions);
+    ClientId last = 0;
+    for (const SavedHostState::ClientUndo& of : host_state.undo) {
+        if (of.client <= last || of.steps.empty() || of.steps.size() > UndoLog::steps_max)
+            return "the undo log of client " + std::to_string(of.client) +
+                   " is out of order, empty or too long";
+        last = of.client;
+        for (const UndoStep& step : of.steps)
+            if (step.kind > UndoStep::Kind::joint_deleted)
+                return "the undo log of client " + std::to_string(of.client) +
+                       " has a step of an unknown kind";
+    }
+    return {};
 }
 
 // Empty: the players and attributes are valid.
@@ -169,6 +212,7 @@ std::uint64_t data_hash(const SavedHostState& host_state) {
     HostStateWriter writer;
     visit_players(writer, host_state);
     if (host_state.room) writer.to.text(encode_room(*host_state.room));
+    if (host_state.has_edits()) visit_edits(writer, host_state);
     std::uint64_t hash = 0xcbf29ce484222325u;  // FNV-1a
     for (const char byte : writer.to.take())
         hash = (hash ^ static_cast<std::uint8_t>(byte)) * 0x100000001b3u;
@@ -179,12 +223,17 @@ std::string encode_host_state(const SavedHostState& host_state) {
     HostStateWriter writer;
     const bool has_players =
         !host_state.players.empty() || !host_state.attributes.empty() || host_state.messages != 0;
-    const std::uint64_t version = host_state.room ? version_of_rooms
-                                  : has_players   ? version_of_players
-                                                  : oldest_version;
+    const std::uint64_t version = host_state.has_edits() ? version_of_edits
+                                  : host_state.room      ? version_of_rooms
+                                  : has_players          ? version_of_players
+                                                         : oldest_version;
     writer.to.number(version);
     visit(writer, host_state);
     if (version >= version_of_players) visit_players(writer, host_state);
+    if (version >= version_of_edits) {
+        writer(std::uint32_t{host_state.room.has_value()});
+        visit_edits(writer, host_state);
+    }
     if (host_state.room) writer.to.text(encode_room(*host_state.room));
     return writer.to.take();
 }
@@ -200,7 +249,12 @@ Result<SavedHostState> decode_host_state(std::string_view bytes) {
     SavedHostState host_state;
     visit(reader, host_state);
     if (version >= version_of_players) visit_players(reader, host_state);
-    if (version >= version_of_rooms) {
+    std::uint32_t has_room = version >= version_of_rooms;
+    if (version >= version_of_edits) {
+        reader(has_room);
+        visit_edits(reader, host_state);
+    }
+    if (has_room != 0) {
         Result<RoomState> room = decode_room(reader.from.text());
         if (!reader.from.ok()) return corrupt_host_state("truncated");
         if (!room.ok()) return room.error();
@@ -217,6 +271,8 @@ Result<SavedHostState> decode_host_state(std::string_view bytes) {
         last = entity.id;
     }
     if (const std::string fault = fault_of_players(host_state); !fault.empty())
+        return corrupt_host_state(fault);
+    if (const std::string fault = fault_of_edits(host_state); !fault.empty())
         return corrupt_host_state(fault);
     return host_state;
 }

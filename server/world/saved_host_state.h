@@ -17,6 +17,7 @@
 #include "server/world/attribute.h"
 #include "server/world/command.h"
 #include "server/world/room_state.h"
+#include "server/world/undo_log.h"
 
 namespace jostle::server {
 
@@ -61,6 +62,20 @@ struct SavedHostState {
         std::string key;
         Attribute attribute;
     };
+    // An entity whose properties an edit changed.
+    struct Updated {
+        EntityId entity = 0;
+        std::uint32_t revision = 0;
+        std::uint32_t frozen = 0;  // 1: frozen
+    };
+    struct OwnedJoint {
+        ClientId client = 0;
+        physics::JointId joint;
+    };
+    struct ClientUndo {
+        ClientId client = 0;
+        std::vector<UndoStep> steps;  // oldest first
+    };
 
     std::uint32_t tick = 0;
     EntityId next_id = 1;
@@ -72,16 +87,23 @@ struct SavedHostState {
     std::vector<EntityId> quarantined;
     std::vector<physics::BodyId> scene_bodies;
     std::vector<physics::JointId> scene_joints;
-    std::vector<SavedPlayer> players;        // in ascending order of client
-    std::vector<SavedAttribute> attributes;  // in ascending order of target and key
-    std::uint32_t messages = 0;              // number of user messages
-    std::optional<RoomState> room = {};      // nothing: the world is no room
+    std::vector<SavedPlayer> players;            // in ascending order of client
+    std::vector<SavedAttribute> attributes;      // in ascending order of target and key
+    std::uint32_t messages = 0;                  // number of user messages
+    std::optional<RoomState> room = {};          // nothing: the world is no room
+    std::uint32_t revisions = 0;                 // number of updates of entities
+    std::vector<Updated> updated_entities = {};  // in ascending order of id
+    std::vector<OwnedJoint> owned_joints = {};
+    std::vector<ClientUndo> undo = {};  // in ascending order of client
+
+    // Whether clients edited bodies, made joints or have actions to undo.
+    bool has_edits() const { return revisions != 0 || !owned_joints.empty() || !undo.empty(); }
 };
 
 // The clients of the world, each with the sequence number of its last processed input (0: none).
 std::map<ClientId, std::uint32_t> clients_of(const SavedHostState& host_state);
 
-// A hash of the players, the attributes and the number of messages.
+// A hash of the players, the attributes, the number of messages, the room and the edits.
 std::uint64_t data_hash(const SavedHostState& host_state);
 
 // A world without players, attributes and messages is encoded as earlier versions did.

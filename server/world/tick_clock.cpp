@@ -31,6 +31,13 @@ int TickClock::due(Clock::time_point now, int expected) {
     return count;
 }
 
+void TickClock::set_hz(double hz) {
+    ASSERT(hz > 0);
+    const auto ticks = static_cast<double>(next_ - 1);
+    start_ += from_seconds(ticks * period_s_) - from_seconds(ticks / hz);
+    period_s_ = 1 / hz;
+}
+
 Clock::time_point TickClock::begin_tick() {
     const Clock::time_point at = next_due();
     next_++;

@@ -24,6 +24,9 @@ public:
     // Returns the time at which the tick was due.
     Clock::time_point begin_tick();
 
+    // Changes the rate from the next tick on.
+    void set_hz(double hz);
+
     std::uint32_t late_ticks() const { return late_; }
 
 private:

@@ -18,6 +18,7 @@ void TickLoop::start(std::shared_ptr<TickPool> pool, const Settings& settings,
     ASSERT(!pool_ && pool && run && stopped && settings.rest_ticks >= 1);
     settings_ = settings;
     clock_.emplace(epoch, settings.hz, settings.catch_up_ticks_max);
+    clock_->set_hz(settings.speed * settings.hz);
     run_ = std::move(run);
     stopped_ = std::move(stopped);
     on_error_ = std::move(on_error);

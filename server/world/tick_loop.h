@@ -23,6 +23,7 @@ public:
         double hz = 60;
         int catch_up_ticks_max = 4;  // ticks that run at once after a delay
         int rest_ticks = 1;          // ticks that run at once while the world rests
+        double speed = 1;            // share of `hz` at which ticks begin
     };
     struct Tick {
         Clock::time_point due;
@@ -45,6 +46,10 @@ public:
                std::function<void(const char* what)> on_error);
     // Any thread: ends the rest of the world, because it has work. Cheap if it does not rest.
     void wake();
+    // From within a tick: the rate of the following ticks is this share of `hz`.
+    void set_speed(double speed) {
+        if (clock_) clock_->set_hz(speed * settings_.hz);
+    }
     // Waits for the running tick; no other follows. Not from within a tick.
     void stop();
 

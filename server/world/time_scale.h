@@ -23,6 +23,8 @@ public:
     void count_tick(Clock::time_point now);
     // The world was paused: forgets all ticks.
     void reset() { *this = TimeScale(hz_); }
+    // The rate of the ticks changes: forgets all ticks.
+    void set_hz(double hz) { *this = TimeScale(hz); }
     // Over the last 5 s, 0 to 1; 1 if there is less than 1 s to judge by.
     double value(Clock::time_point now) const;
 

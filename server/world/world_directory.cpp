@@ -259,7 +259,37 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::reset(const std::shared_ptr<W
     return host;
 }
 
+Result<std::shared_ptr<WorldHost>> WorldDirectory::rewind_room(
+    const std::shared_ptr<WorldHost>& world, std::uint32_t tick) {
+    if (world->is_persisted()) return rewind(world, tick);
+    auto host = replace_stopped(world, [&]() -> Result<WorldStart> {
+        Result<HostedWorld> past = built([&] {
+            return world->stopped_timeline()->world_at(tick, settings_.limits,
+                                                       settings_.physics_threads,
+                                                       world->properties().work_per_second);
+        });
+        if (!past.ok()) return past.error();
+        past->continue_from(world->stopped_world());
+        return WorldStart{.label = world->properties().label,
+                          .scene = world->properties().scene,
+                          .world = *std::move(past),
+                          .tick = world->frame()->tick + 1};
+    });
+    if (host.ok())
+        log_info("world {} \"{}\" was rewound to tick {}", world->id(), world->name(), tick);
+    return host;
+}
+
 void WorldDirectory::reset_requested() {
+    for (const auto& world : list()) {
+        if (world->lifecycle().stopped()) continue;
+        if (const std::uint32_t tick = world->requested_rewind(); tick != 0) {
+            if (const auto host = rewind_room(world, tick); !host.ok()) {
+                log_error("world {}: cannot be rewound: {}", world->id(), host.error().message);
+                world->cancel_rewind();
+            }
+        }
+    }
     for (const auto& world : list())
         if (world->is_reset_requested() && !world->lifecycle().stopped())
             if (const auto host = reset(world); !host.ok())
@@ -276,6 +306,8 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::replace_stopped(
         Result<WorldStart> started = start();
         if (!started.ok()) return started.error();
         started->paused = world->lifecycle().paused();
+        started->speed_percent = world->speed_percent();
+        started->timeline = world->stopped_timeline();
         return start_replacement(*std::move(started));
     });
     if (!replacement.ok()) {

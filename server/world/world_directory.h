@@ -64,7 +64,12 @@ public:
     // Replaces the world by a new one of its scene, in a new host like rewind(). A room retains its
     // members and its decisions. The world then continues unchanged if the scene cannot be built.
     Result<std::shared_ptr<WorldHost>> reset(const std::shared_ptr<WorldHost>& world);
-    // Resets the worlds whose members requested it. Call it periodically from one thread.
+    // Replaces a room by an earlier state of its timeline, in a new host like rewind(). not_found:
+    // the timeline does not contain the tick.
+    Result<std::shared_ptr<WorldHost>> rewind_room(const std::shared_ptr<WorldHost>& world,
+                                                   std::uint32_t tick);
+    // Resets and rewinds the worlds whose members requested it. Call it periodically from one
+    // thread.
     void reset_requested();
     // `callback` is called when a new host replaces a world, with the clients of its saved state.
     // Set it before the first world.

@@ -81,6 +81,10 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
       // The burst has space for the largest message.
       message_bytes_(settings.user_message_bytes_per_second,
                      std::max(settings.user_message_bytes_per_second, 131072.0), properties_.epoch),
+      timeline_(start.timeline ? std::move(start.timeline)
+                : properties_.is_room
+                    ? std::make_shared<Timeline>(properties_.hz, start.world_journal == nullptr)
+                    : nullptr),
       world_journal_(std::move(start.world_journal)),
       // A world without ticks of its own does not depend on measured times.
       queries_(settings.own_ticks ? settings.query_copy_share / properties_.hz : 0),
@@ -94,13 +98,16 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
     publisher_.set_frame(std::move(first));
     static_cast<void>(world_.take_room_requests());  // of commands that a recovery replayed
     if (world_journal_) world_.enable_journal();
+    speed_percent_ = start.speed_percent;
+    publisher_.set_speed(start.speed_percent / 100.0);
     if (!settings_.own_ticks) return;
     // The first tick is the world as it was built; the loop continues from there.
     loop_.start(
         settings_.tick_pool ? settings_.tick_pool : std::make_shared<TickPool>(1),
         {.hz = properties_.hz,
          .catch_up_ticks_max = settings_.catch_up_ticks_max,
-         .rest_ticks = std::max(1, static_cast<int>(rest_seconds * properties_.hz))},
+         .rest_ticks = std::max(1, static_cast<int>(rest_seconds * properties_.hz)),
+         .speed = start.speed_percent / 100.0},
         properties_.due_time(tick_), [this](const TickLoop::Tick& tick) { return run_tick(tick); },
         [this] { return lifecycle_.stopped(); },
         // Out of memory, for example: this world ends, its clients are notified and the other
@@ -240,7 +247,12 @@ void WorldHost::run_tick(Clock::time_point due, std::uint32_t late_ticks) {
     const std::optional<Error> refusal = input_refusal(paused);
     const bool applies_data = apply_commands(refusal, due);
     remove_excess_bodies(began);
-    const bool allowed = paused && single_step_.begin_step();
+    if (!is_paused_by_room()) room_steps_ = 0;
+    bool allowed = paused && single_step_.begin_step();
+    if (paused && !allowed && room_steps_ > 0) {
+        room_steps_--;
+        allowed = true;
+    }
     const bool steps = !paused || allowed;
     if (world_journal_) world_journal_->append({tick_, steps, world_.take_journal()});
     const Room::Requests room_requests = world_.take_room_requests();
@@ -248,6 +260,9 @@ void WorldHost::run_tick(Clock::time_point due, std::uint32_t late_ticks) {
     const bool stepped = steps && step(allowed);
     const std::shared_ptr<Frame> frame = make_frame(due, late_ticks);
     frame->paused = paused;
+    frame->speed_percent = speed_percent_;
+    store_timeline(stepped);
+    if (timeline_) frame->restorable_ticks = timeline_->ticks();
     if (!stepped) frame->step_ms = 0;
     ASSERT(frame->tick == tick_ && frame->entity_list);
     publisher_.measure(*frame, began);
@@ -300,7 +315,11 @@ bool WorldHost::apply_commands(std::optional<Error> refusal, Clock::time_point d
     bool applies_data = false;
     const auto is_refused = [&](const Command& command) {
         if (!refusal) return false;
-        if (!may_persist || lifecycle_.stopped() || !is_data_command(command.action)) return true;
+        const bool builds =
+            is_build_command(command.action) || std::holds_alternative<RoomCommand>(command.action);
+        if (!may_persist || lifecycle_.stopped() ||
+            !(is_data_command(command.action) || (builds && is_paused_by_room())))
+            return true;
         applies_data = true;
         return false;
     };
@@ -361,8 +380,45 @@ std::optional<Error> WorldHost::message_refusal(const Command& command, Clock::t
 InputResult WorldHost::apply(const Command& command, Clock::time_point due) {
     std::optional<Error> refused = body_limits_.refusal(command, world_.ownership());
     if (!refused) refused = message_refusal(command, due);
+    if (!refused) refused = time_refusal(command);
     return refused ? world_.refuse(command, *std::move(refused), tick_)
                    : world_.apply(command, tick_);
+}
+
+bool WorldHost::is_paused_by_room() const {
+    return lifecycle_.paused() == room_pause;
+}
+
+std::optional<Error> WorldHost::time_refusal(const Command& command) const {
+    const auto* const about_room = std::get_if<RoomCommand>(&command.action);
+    if (!about_room || !timeline_) return std::nullopt;
+    if (std::holds_alternative<StepRoom>(about_room->kind) && !is_paused_by_room())
+        return Error{ErrorCode::permission_denied,
+                     "no member of the room paused the world; pause it before a step"};
+    const auto* const rewind = std::get_if<RewindRoom>(&about_room->kind);
+    if (!rewind || timeline_->contains(rewind->tick)) return std::nullopt;
+    const std::vector<std::uint32_t>& ticks = *timeline_->ticks();
+    if (ticks.empty())
+        return Error{ErrorCode::not_found,
+                     "the room has no timeline; set timeline_seconds in its settings"};
+    return Error{ErrorCode::not_found,
+                 fmt::format("rewind.tick is {}; the timeline has {} states from tick {} to tick "
+                             "{}, one per second",
+                             rewind->tick, ticks.size(), ticks.front(), ticks.back())};
+}
+
+void WorldHost::set_speed(std::uint32_t percent) {
+    if (speed_percent_.exchange(percent) == percent) return;
+    loop_.set_speed(percent / 100.0);
+    publisher_.set_speed(percent / 100.0);
+    log_info("world {} \"{}\" runs at {} % of real time", id(), name(), percent);
+}
+
+void WorldHost::store_timeline(bool stepped) {
+    // The state of a requested rewind stays until the rewind.
+    if (!timeline_ || step_aborted_ || requested_rewind_.load() != 0) return;
+    timeline_->on_tick(tick_, stepped, world_, world_.room()->state().properties.timeline_seconds,
+                       oldest_restorable_tick());
 }
 
 std::optional<InputResult> WorldHost::resume_room(const Command& command) {
@@ -378,6 +434,10 @@ std::optional<InputResult> WorldHost::resume_room(const Command& command) {
 void WorldHost::grant_room_requests(const Room::Requests& requests) {
     if (requests.reset) is_reset_requested_ = true;
     if (requests.paused == true && !lifecycle_.paused()) pause(std::string(room_pause));
+    room_steps_ = std::min(room_steps_ + requests.steps, StepRoom::steps_max);
+    if (requests.speed_percent) set_speed(*requests.speed_percent);
+    if (requests.rewind && timeline_ && timeline_->contains(*requests.rewind))
+        requested_rewind_ = *requests.rewind;
 }
 
 void WorldHost::remove_excess_bodies(Clock::time_point now) {
@@ -406,6 +466,7 @@ bool WorldHost::step(bool allowed) {
     world_.publish_motion(listeners.motion.load() > 0);
     world_.publish_points(listeners.points.load() > 0 || queries_.is_requested(copy_points));
     world_.publish_controlled_entities(listeners.controlled_entities.load() > 0);
+    world_.publish_joints(listeners.joints.load() > 0);
     world_.resume_stepping();
     // interrupt_overloaded() pauses before it stops the step, so resuming here just after it still
     // sees the pause. The journal already contains a step for this tick.

@@ -29,6 +29,7 @@
 #include "server/world/tick_loop.h"
 #include "server/world/tick_metrics.h"
 #include "server/world/tick_pool.h"
+#include "server/world/timeline.h"
 #include "server/world/world_lifecycle.h"
 #include "server/world/world_persistence.h"
 #include "server/world/world_properties.h"
@@ -68,6 +69,8 @@ struct WorldStart {
     std::uint32_t tick = 1;
     std::shared_ptr<WorldJournal> world_journal = nullptr;  // null: not persisted
     std::optional<std::string> paused = {};                 // the reason; nothing: not paused
+    std::uint32_t speed_percent = 100;                      // of real time
+    std::shared_ptr<Timeline> timeline = nullptr;           // of the replaced host; null: none
 };
 
 class WorldHost {
@@ -133,6 +136,10 @@ public:
 
     // Any thread: whether a member of the room requested to start the world from its scene again.
     bool is_reset_requested() const { return is_reset_requested_.load(); }
+    // Any thread: the tick to which a member of the room requested to rewind the world; 0: none.
+    std::uint32_t requested_rewind() const { return requested_rewind_.load(); }
+    // Any thread: the speed that a member of the room requested, in percent of real time.
+    std::uint32_t speed_percent() const { return speed_percent_.load(); }
 
     // Any thread: the world has work and may not rest (tick_loop.h). Commands, queries, pauses and
     // new clients call it.
@@ -145,6 +152,9 @@ public:
     bool stop_for_replacement();
     // After stop(): the last state.
     const HostedWorld& stopped_world() const { return world_; }
+    const std::shared_ptr<Timeline>& stopped_timeline() const { return timeline_; }
+    // The rewind that was requested failed; the world continues.
+    void cancel_rewind() { requested_rewind_.store(0); }
     // Any thread: stop() writes no checkpoint.
     void skip_final_checkpoint() { skips_final_checkpoint_.store(true); }
     // A world without ticks of its own, one thread at a time: runs the tick that is due.
@@ -166,6 +176,12 @@ private:
     // Why a user message exceeds the rate of the world; nothing: it does not.
     std::optional<Error> message_refusal(const Command& command, Clock::time_point due);
     void apply_joins(std::span<Command> joins);
+    // Why a command about the time of a room is refused; nothing: it is not.
+    std::optional<Error> time_refusal(const Command& command) const;
+    // Whether a member of the room paused the world.
+    bool is_paused_by_room() const;
+    void set_speed(std::uint32_t percent);
+    void store_timeline(bool stepped);
     // Resumes a world that a member of the room paused. Nothing: the command does not request it.
     std::optional<InputResult> resume_room(const Command& command);
     void grant_room_requests(const Room::Requests& requests);
@@ -201,8 +217,10 @@ private:
     std::vector<WaitingResult> results_;        // of the inputs of this tick
     bool step_refused_ = false, step_interrupted_ = false;
     Clock::time_point next_pairs_warning_{};
-    bool step_aborted_ = false;  // the end of the world aborted the last step
-    bool rests_ = false;         // may_rest() of the last frame
+    bool step_aborted_ = false;                 // the end of the world aborted the last step
+    bool rests_ = false;                        // may_rest() of the last frame
+    std::uint32_t room_steps_ = 0;              // that members requested for a paused world
+    const std::shared_ptr<Timeline> timeline_;  // null: the world is no room
 
     const std::shared_ptr<WorldJournal> world_journal_;    // null: not persisted
     std::shared_ptr<CheckpointCopier> checkpoint_copier_;  // of the previous tick; null: none
@@ -211,6 +229,7 @@ private:
     TickMetrics tick_metrics_;
     BetweenTicksExecutor between_ticks_;
     std::atomic<bool> skips_final_checkpoint_{false}, is_reset_requested_{false};
+    std::atomic<std::uint32_t> requested_rewind_{0}, speed_percent_{100};
     std::mutex stop_mutex_;
     bool ended_ = false;
     TickLoop loop_;  // last: its thread uses everything above

@@ -99,6 +99,9 @@ const Method methods[] = {
     method_of<v1::DebugRequest, v1::DebugResponse,
               [](Controls& c, const auto& in, auto& out) { return c.queries.debug(in, out); }>(
         false),
+    method_of<v1::InspectRequest, v1::InspectResponse,
+              [](Controls& c, const auto& in, auto& out) { return c.queries.inspect(in, out); }>(
+        false),
     method_of<v1::CreateWorldRequest, v1::CreateWorldResponse,
               [](Controls& c, const auto& in, auto& out) {
                   return c.worlds.create(in, out, c.small.anybody(), "127.0.0.1");

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 namespace jostle::scenes {
@@ -32,6 +33,34 @@ TEST(Catalog, every_scene_builds_and_steps) {
     }
     for (const char* name : {"sandbox", "pyramid", "dominoes", "pile", "billiards", "stack"})
         EXPECT_TRUE(names.contains(name)) << name;
+}
+
+// The viewer has a vertical field of view of 55 degrees, on a screen of 16:10.
+TEST(Catalog, views_show_the_moving_bodies) {
+    constexpr double tan_y = 0.5206, tan_x = 1.6 * tan_y;
+    int views = 0;
+    for (const CatalogEntry& entry : catalog()) {
+        const auto scene = find_scene(entry.name);
+        if (!scene->view) continue;
+        views++;
+        const auto& [eye, target, field_of_view] = *scene->view;
+        EXPECT_EQ(field_of_view, 0) << entry.name;
+        const physics::Vec3 ahead = normalized(target - eye);
+        const physics::Vec3 right = normalized(cross(ahead, physics::Vec3{0, 1, 0}));
+        const physics::Vec3 up = cross(right, ahead);
+        int shown = 0, moving = 0;
+        for (const SceneBody& body : scene->bodies) {
+            if (body.body.type != physics::BodyType::dynamic) continue;
+            moving++;
+            const physics::Vec3 at = body.body.pose.position - eye;
+            const double depth = dot(at, ahead);
+            if (depth > 0 && std::abs(dot(at, right)) < 0.9 * tan_x * depth &&
+                std::abs(dot(at, up)) < 0.9 * tan_y * depth)
+                shown++;
+        }
+        EXPECT_GE(shown, 0.97 * moving) << entry.name << " of " << moving;
+    }
+    EXPECT_EQ(views, 8);
 }
 
 TEST(Catalog, unknown_scene_returns_nullopt) {

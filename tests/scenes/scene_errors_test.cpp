@@ -155,6 +155,12 @@ TEST(SceneErrors, errors_name_line_and_field) {
          "line 2: world.precision.position: 5 is out of range; it must be from 0.0001 to 1"},
         {"{\"name\": \"a\",\n \"world\": {\"precision\": {\"position\": 0.1, \"rotation\": 9}}}",
          "line 2: world.precision.rotation: 9 is out of range; it must be from 0.0002 to 0.5"},
+        {"{\"name\": \"a\",\n \"view\": {\"eye\": {\"x\": 1}, \"target\": {\"x\": 1}}}",
+         "line 2: view.target: must be at least 0.01 m from view.eye"},
+        {"{\"name\": \"a\",\n \"view\": {\"eye\": {\"x\": 1e8}}}",
+         "line 2: view.eye.x: 100000000 is out of range; it must be from -10000000 to 10000000"},
+        {"{\"name\": \"a\",\n \"view\": {\"eye\": {\"x\": 1}, \"field_of_view\": 3}}",
+         "line 2: view.field_of_view: 3 is out of range; it must be from 0.1 to 2.5"},
         {"{\"name\": \"a\",\n \"world\": {\"substeps\": -1}}",
          "line 2: world.substeps: must be an integer from 0 to 4294967295"},
         {"{\"name\": \"a\",\n \"bodies\": [\n  {\"shapes\": [{\"sphere\": {\"radius\": 1}}],\n"

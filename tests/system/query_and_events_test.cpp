@@ -147,6 +147,11 @@ TEST_F(QueryAndEvents, client_library_queries_and_receives_events) {
     ASSERT_TRUE(nearest.ok() && nearest->value);
     EXPECT_EQ(nearest->value->entity, ball);
     EXPECT_NEAR(nearest->value->distance, 1, 1e-2);
+    const auto inspected = queries.inspect_entity(ball);
+    ASSERT_TRUE(inspected.ok()) << inspected.error().message;
+    EXPECT_EQ(inspected->value.entity(), ball);
+    EXPECT_NEAR(inspected->value.position().y(), 0.5, 0.6);
+    EXPECT_EQ(queries.inspect_joint(99).error().message, "joint 99 does not exist");
     EXPECT_EQ(
         client::QueryClient(server.grpc_address(), "nowhere").overlap({0, 0, 0}).error().message,
         "there is no world \"nowhere\"");

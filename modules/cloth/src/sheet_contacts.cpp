@@ -427,7 +427,7 @@ void SheetContacts::resolve(std::span<const ContactSheet> sheets) {
         most = maximum(most, length_squared(moved_of(k) - mean));
     for (const Part& part : parts_) thickness = maximum(thickness, part.of.thickness);
     // A fast sheet gets a greater reach, so that it is rarely bounded by it.
-    const double widest = 2 * thickness, reach = 2 * widest + 2 * square_root(most);
+    const double widest = 2 * thickness, reach = 1.2 * widest + 2 * square_root(most);
     if (!valid_ || leaves_bounds()) search(minimum(reach, 6 * widest));
     push_apart();
     // The next search starts from the bounded positions.

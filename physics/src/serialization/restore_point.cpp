@@ -63,7 +63,9 @@ Status RestorePoint::restore(World& world) const {
         missing.push_back(std::move(made).value());
     }
     const int threads = state.def.threads;
+    const std::uint64_t joint_revision = state.joints.revision;
     static_cast<WorldStores&>(state) = state_->stores;
+    state.joints.revision = joint_revision + 1;
     state.def.threads = threads;
     state.events.clear_published();
     state.events.pending = state_->pending;

@@ -53,6 +53,7 @@ void attach_joint(ContactGraph& stores, JointStore& joints, std::uint32_t joint)
         join_islands(stores, joints, stores.bodies.cold[j.body_a].island,
                      stores.bodies.cold[j.body_b].island);
     reset_density(stores, joints, joint);
+    joints.revision++;
 }
 
 void destroy_joint(ShapedBodies& stores, JointStore& joints, std::uint32_t joint) {
@@ -67,6 +68,7 @@ void destroy_joint(ShapedBodies& stores, JointStore& joints, std::uint32_t joint
     const bool collided = j.collide_connected;
     j = Joint{};
     joints.ids.release(joint);
+    joints.revision++;
     if (collided || a == none) return;
     // Their shapes may collide from now on.
     for (const std::uint32_t body : {a, b})

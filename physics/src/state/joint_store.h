@@ -47,6 +47,7 @@ struct Joint {
 struct JointStore {
     IdPool ids;
     std::vector<Joint> joints;
+    std::uint64_t revision = 0;  // World::joint_revision(); not saved
 };
 
 inline JointId joint_id(const JointStore& joints, std::uint32_t joint) {

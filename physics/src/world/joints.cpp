@@ -150,6 +150,10 @@ Status World::set_joint_solver(JointId id, std::optional<JointSolver> solver) {
     return {};
 }
 
+std::uint64_t World::joint_revision() const {
+    return state_->joints.revision;
+}
+
 bool World::contains(JointId joint) const {
     return check_id(state_->joints, joint).ok();
 }

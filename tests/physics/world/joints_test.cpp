@@ -6,7 +6,9 @@
 
 #include <cmath>
 #include <optional>
+#include <utility>
 
+#include "jostle/physics/restore_point.h"
 #include "tests/support/near.h"
 #include "tests/support/world_builder.h"
 
@@ -124,6 +126,36 @@ TEST(JointCalls, are_listed_in_order_and_per_body) {
     EXPECT_FALSE(pair.world.contains(first));
     EXPECT_EQ(pair.world.joints(), std::vector{second});
     EXPECT_FALSE(pair.world.destroy_joint(first).ok());
+}
+
+TEST(JointRevision, changes_when_a_joint_is_created_destroyed_or_breaks) {
+    Pair pair;
+    std::uint64_t last = pair.world.joint_revision();
+    const auto changed = [&] {
+        const std::uint64_t before = std::exchange(last, pair.world.joint_revision());
+        return last != before;
+    };
+    const JointId joint = must(pair.world.create_joint(pair.def()));
+    EXPECT_TRUE(changed());
+    must(pair.world.set_joint(joint, BallJoint{.friction_torque = 1}));
+    run(pair.world, 0.1);
+    EXPECT_FALSE(changed());
+    must(pair.world.destroy_joint(joint));
+    EXPECT_TRUE(changed());
+    JointDef weak = pair.def();
+    weak.break_force = 1;
+    must(pair.world.create_joint(weak));
+    RestorePoint point;
+    point.capture(pair.world);
+    static_cast<void>(changed());
+    must(pair.world.apply_impulse(pair.b, {1e5, 0, 0}, {3, 0, 0}));
+    run(pair.world, 0.1);
+    EXPECT_TRUE(pair.world.joints().empty());
+    EXPECT_TRUE(changed());
+    must(point.restore(pair.world));
+    EXPECT_TRUE(changed());
+    must(pair.world.destroy_body(pair.a));
+    EXPECT_TRUE(changed());
 }
 
 TEST(JointCalls, allows_changing_values_but_not_the_kind) {

@@ -105,6 +105,7 @@ TEST(AccessTable, finds_routes_by_method_and_path) {
     EXPECT_EQ(route("DELETE", "/api/worlds/w1"), "DELETE /api/worlds/{id}");
     EXPECT_EQ(route("POST", "/api/worlds/w1/resume"), "POST /api/worlds/{id}/resume");
     EXPECT_EQ(route("DELETE", "/api/worlds/w1/resume"), "");
+    EXPECT_EQ(route("GET", "/api/worlds/w1/scene"), "GET /api/worlds/{id}/scene");
     EXPECT_EQ(route("POST", "/api/query/Debug"), "POST /api/query/{method}");
     EXPECT_EQ(route("GET", "/play"), "GET /play");
     EXPECT_EQ(route("GET", "/healthz"), "GET /healthz");
@@ -153,14 +154,15 @@ std::map<std::string, Expected> expected_permissions() {
           "jostle.v1.PlayService/Play", "jostle.v1.QueryService/CastRays",
           "jostle.v1.QueryService/CastShapes", "jostle.v1.QueryService/Overlap",
           "jostle.v1.QueryService/ClosestPoints", "jostle.v1.QueryService/Debug",
-          "GET /api/worlds/{id}", "POST /api/worlds/{id}/join", "POST /api/query/{method}",
-          "GET /play"}},
+          "jostle.v1.QueryService/Inspect", "GET /api/worlds/{id}", "POST /api/worlds/{id}/join",
+          "POST /api/query/{method}", "GET /play"}},
         {Role::player, world, {"play inputs"}},
         {Role::director, server, {"jostle.v1.WorldService/CreateWorld", "POST /api/worlds"}},
         {Role::director,
          own_world,
          {"jostle.v1.WorldService/DeleteWorld", "DELETE /api/worlds/{id}",
-          "GET /api/worlds/{id}/resume", "POST /api/worlds/{id}/resume"}},
+          "GET /api/worlds/{id}/resume", "POST /api/worlds/{id}/resume",
+          "GET /api/worlds/{id}/scene"}},
         {Role::admin,
          token_worlds,
          {"jostle.v1.AdminService/GetServerStatus", "jostle.v1.AdminService/ListClients",

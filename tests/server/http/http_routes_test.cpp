@@ -36,6 +36,7 @@ protected:
     std::optional<std::string> failure_reason;
     WorldControl control{context};
     QueryControl queries{context};
+    AdminControl admin{context};
     HttpRoutes routes{
         control,
         queries,
@@ -46,7 +47,8 @@ protected:
                  return context.draining ? std::optional<std::string>("the server is shutting down")
                                          : std::nullopt;
              },
-         .failure_reason = [this] { return failure_reason; }}};
+         .failure_reason = [this] { return failure_reason; },
+         .admin_control = &admin}};
 };
 
 TEST_F(HttpRoutesTest, lists_worlds_and_scenes) {
@@ -98,6 +100,22 @@ TEST_F(HttpRoutesTest, resumes_a_paused_world) {
     EXPECT_EQ(resumed.status, 200) << resumed.body;
     EXPECT_EQ(nlohmann::json::parse(resumed.body).at("world").at("paused"), "");
     EXPECT_FALSE(worlds.find("w1")->lifecycle().paused());
+}
+
+TEST_F(HttpRoutesTest, a_downloaded_scene_can_be_created_again) {
+    EXPECT_EQ(routes.work_of({.method = "GET", .target = "/api/worlds/w1/scene"}),
+              HttpWork::mutation)
+        << "waits for a tick";
+    EXPECT_EQ(send("POST", "/api/worlds/w1/scene", "{}").status, 405);
+    EXPECT_EQ(send("GET", "/api/worlds/w9/scene").status, 404);
+    const HttpResponse downloaded = send("GET", "/api/worlds/w1/scene");
+    ASSERT_EQ(downloaded.status, 200) << downloaded.body;
+    const auto scene = nlohmann::json::parse(downloaded.body).at("scene");
+    const nlohmann::json request = {{"name", "copy"}, {"sceneJson", scene.dump(1)}};
+    const HttpResponse created = send("POST", "/api/worlds", request.dump());
+    ASSERT_EQ(created.status, 201) << created.body;
+    EXPECT_EQ(nlohmann::json::parse(created.body).at("world").at("bodies"),
+              scene.at("bodies").size());
 }
 
 TEST_F(HttpRoutesTest, reports_the_errors_of_a_scene_with_positions) {

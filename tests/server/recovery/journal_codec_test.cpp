@@ -63,6 +63,38 @@ Action any_action(test::Random& random) {
                              {{"key", random.vector(3)}, {"gone", {}}}},
         SetAttributesCommand{{AttributeTargetKind::player, 2}, {{"text", std::string("value")}}},
         SendMessageCommand{"chat", "hello", {1, 3}},
+        EditCommand{.entity = entity,
+                    .position = random.vector(5) + physics::Vec3{0, 6, 0},
+                    .density = 500.0,
+                    .restitution = 0.5,
+                    .color = 0xff},
+        EditCommand{.entity = entity,
+                    .rotation = random.rotation(),
+                    .linear_velocity = random.vector(9),
+                    .angular_velocity = random.vector(9),
+                    .mass = 7.0,
+                    .friction = 0.9,
+                    .gravity_scale = 0.5},
+        EditCommand{.entity = entity, .frozen = random.below(2) == 0},
+        CloneCommand{entity, random.vector(4) + physics::Vec3{0, 5, 0}, random.below(2) == 0},
+        CreateJointCommand{
+            entity,
+            static_cast<EntityId>(1 + random.below(120)),
+            physics::Transform{random.vector(4), random.rotation()},
+            {.kind = physics::HingeJoint{.limit = {true, -0.5, 0.25}, .motor = {true, 2, 50}},
+             .break_force = 1e5}},
+        CreateJointCommand{
+            0,
+            entity,
+            {},
+            {.frame_a = {random.vector(4), random.rotation()},
+             .frame_b = {random.vector(0.2), {}},
+             .kind =
+                 physics::DistanceJoint{
+                     .min_length = 0, .max_length = 3, .spring = {2, 0.3}, .rest_length = 1}}},
+        DeleteJointCommand{.target = {entity % 40, 0}},
+        DeleteJointCommand{.joint = entity % 20 + 1},
+        UndoCommand{},
         LeaveCommand{random.below(2) == 0}};
     return actions[random.below(std::size(actions))];
 }
@@ -73,10 +105,14 @@ JournalSegment play(HostedWorld& world, std::uint32_t ticks) {
     test::Random random(77);
     JournalSegment journal{{}, {{3, 3}, {90, 94}}};
     for (std::uint32_t tick = 1; tick <= ticks; tick++) {
-        for (ClientId client = 1; client <= 4; client++)
-            world.apply(
-                {.client = client, .sequence = tick, .action = any_action(random), .reply = {}},
-                tick);
+        for (ClientId client = 1; client <= 4; client++) {
+            const Action action = any_action(random);
+            world.apply({.client = client,
+                         .sequence = is_session_command(action) ? 0 : tick,
+                         .action = action,
+                         .reply = {}},
+                        tick);
+        }
         journal.ticks.push_back({tick, world.take_journal()});
         EXPECT_TRUE(world.step(dt, tick).ok());
     }
@@ -182,6 +218,46 @@ TEST(JournalCodec, room_commands_need_version_7) {
         EXPECT_FALSE(decode_journal(bytes.substr(0, size)).ok());
 }
 
+TEST(JournalCodec, edits_and_joints_need_version_8) {
+    const physics::JointDef hinge{.frame_b = {{0, 0.5, 0}, {}},
+                                  .kind = physics::HingeJoint{.motor = {true, 2, 50}},
+                                  .collide_connected = true,
+                                  .break_torque = 40};
+    const JournalSegment written{
+        .ticks = {{4,
+                   {{1, 1, EditCommand{.entity = 7, .friction = 0.25, .frozen = true}},
+                    {1, 2, CloneCommand{7, {1, 2, 3}, true}},
+                    {1, 3, CreateJointCommand{0, 7, physics::Transform{{1, 2, 3}, {}}, hinge}},
+                    {1, 4, CreateJointCommand{7, 8, {}, hinge}},
+                    {1, 5, DeleteJointCommand{.joint = 3, .target = {11, 2}}},
+                    {1, 6, UndoCommand{}}}}},
+        .paused_ticks = {}};
+    const std::string bytes = encode_journal(written);
+    EXPECT_EQ(bytes[0], 8);
+    const JournalSegment read = decode_journal(bytes).value();
+    const auto& commands = read.ticks.at(0).commands;
+    const auto& edit = std::get<EditCommand>(*commands.at(0).action);
+    EXPECT_EQ(edit.friction, 0.25);
+    EXPECT_EQ(edit.frozen, true);
+    EXPECT_EQ(edit.mass, std::nullopt);
+    EXPECT_TRUE(std::get<CloneCommand>(*commands.at(1).action).jointed);
+    const auto& framed = std::get<CreateJointCommand>(*commands.at(2).action);
+    ASSERT_TRUE(framed.frame);
+    EXPECT_EQ(framed.frame->position, (physics::Vec3{1, 2, 3}));
+    const auto& joint = std::get<CreateJointCommand>(*commands.at(3).action);
+    EXPECT_EQ(joint.entity_a, 7u);
+    EXPECT_EQ(joint.frame, std::nullopt);
+    EXPECT_EQ(joint.joint.frame_b, hinge.frame_b);
+    EXPECT_EQ(joint.joint.kind, hinge.kind);
+    EXPECT_EQ(joint.joint.break_torque, 40);
+    EXPECT_TRUE(joint.joint.collide_connected);
+    const auto& deletion = std::get<DeleteJointCommand>(*commands.at(4).action);
+    EXPECT_EQ(deletion.target, (physics::JointId{11, 2}));
+    EXPECT_EQ(deletion.joint, 0u) << "ids of clients end with the process";
+    for (std::size_t size = 0; size < bytes.size(); size++)
+        EXPECT_FALSE(decode_journal(bytes.substr(0, size)).ok());
+}
+
 TEST(JournalCodec, players_attributes_and_messages_need_version_6) {
     const SetAttributesCommand attributes{{AttributeTargetKind::entity, 7},
                                           {{"a", true},
@@ -227,8 +303,8 @@ TEST(JournalCodec, truncated_or_changed_bytes_are_rejected_or_read_within_bounds
         EXPECT_EQ(error_of(decode_journal(whole.substr(0, size))).code, ErrorCode::corrupt_data);
     EXPECT_EQ(error_of(decode_journal(whole + "x")).message,
               "corrupt journal record: data after the end");
-    EXPECT_EQ(error_of(decode_journal("\x08")).message,
-              "corrupt journal record: version 8; this server reads versions 2 to 7");
+    EXPECT_EQ(error_of(decode_journal("\x09")).message,
+              "corrupt journal record: version 9; this server reads versions 2 to 8");
     test::Random random(5);
     int read = 0;
     for (int k = 0; k < 2000; k++) {

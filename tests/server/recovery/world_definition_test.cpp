@@ -30,7 +30,7 @@ TEST(WorldDefinition, reads_what_it_wrote) {
 // Version 1 ends before the limit of pairs.
 TEST(WorldDefinition, worlds_of_version_1_have_no_limit_of_pairs) {
     std::string bytes = encoded(7);
-    bytes.resize(bytes.size() - 5 * sizeof(double));
+    bytes.resize(bytes.size() - 6 * sizeof(double));
     bytes[0] = 1;
     const Result<WorldDefinition> read = decode_world_definition(bytes);
     ASSERT_TRUE(read.ok()) << read.error().message;
@@ -41,7 +41,7 @@ TEST(WorldDefinition, worlds_of_version_1_have_no_limit_of_pairs) {
 // Version 2 ends before the limits on attributes.
 TEST(WorldDefinition, worlds_of_version_2_have_the_default_limits_on_attributes) {
     std::string bytes = encoded(7);
-    bytes.resize(bytes.size() - 4 * sizeof(double));
+    bytes.resize(bytes.size() - 5 * sizeof(double));
     bytes[0] = 2;
     const Result<WorldDefinition> read = decode_world_definition(bytes);
     ASSERT_TRUE(read.ok()) << read.error().message;
@@ -50,13 +50,13 @@ TEST(WorldDefinition, worlds_of_version_2_have_the_default_limits_on_attributes)
 }
 
 TEST(WorldDefinition, rejects_other_versions_and_lengths) {
-    for (const char version : {'\0', '\4'}) {
+    for (const char version : {'\0', '\5'}) {
         std::string bytes = encoded(7);
         bytes[0] = version;
         EXPECT_EQ(decode_world_definition(bytes).error().message,
                   "unsupported world definition: version " +
                       std::to_string(static_cast<int>(version)) +
-                      "; this server reads versions 1 to 3");
+                      "; this server reads versions 1 to 4");
     }
     std::string longer = encoded(7);
     longer[0] = 1;

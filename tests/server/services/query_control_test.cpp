@@ -13,10 +13,12 @@
 #include "jostle/v1/query.pb.h"
 #include "tests/server/server_parts.h"
 #include "tests/support/error_of.h"
+#include "tests/support/wait_until.h"
 
 namespace jostle::server {
 
 using test::error_of;
+using test::wait_until;
 
 namespace {
 
@@ -347,6 +349,74 @@ TEST_F(QueryControlTest, returns_unavailable_for_stopped_and_not_found_for_missi
     error = error_of(queries.cast_rays(elsewhere, response));
     EXPECT_EQ(error.code, ErrorCode::not_found);
     EXPECT_EQ(error.message, "there is no world \"elsewhere\"");
+}
+
+TEST_F(QueryControlTest, inspects_a_body_with_its_contacts_and_joints) {
+    const auto inspect = [&](auto set) {
+        v1::InspectRequest request;
+        set(request);
+        v1::InspectResponse response;
+        const Status status = queries.inspect(request, response);
+        EXPECT_TRUE(status.ok()) << status.error().message;
+        return response;
+    };
+    const auto body_of = [&](EntityId id, const char* world = "") {
+        return inspect([&](v1::InspectRequest& request) {
+                   request.set_entity(id);
+                   request.set_world(world);
+               })
+            .body();
+    };
+    const v1::InspectedBody body = body_of(box);
+    EXPECT_EQ(body.entity(), box);
+    EXPECT_GT(body.mass(), 0);
+    EXPECT_NEAR(body.inertia_x().x(), body.mass() * (4 + 4) / 12, 1e-6) << "a cube of 2 m";
+    EXPECT_NEAR(body.inertia_x().y(), 0, 1e-9);
+    EXPECT_EQ(body.materials_size(), 1);
+    EXPECT_EQ(body.materials(0).friction(), 0.5);
+    EXPECT_EQ(body.island(), box);
+    EXPECT_EQ(body.island_bodies(), 1u);
+    EXPECT_EQ(body.contact_count(), 0u);
+
+    ASSERT_TRUE(worlds.create("stack", *scenes::find_scene("stack")).ok());
+    constexpr EntityId lowest = 2;  // of the stack of ten boxes on entity 1
+    ASSERT_TRUE(wait_until([&] { return body_of(lowest, "stack").contacts_size() == 2; }));
+    const v1::InspectedBody stacked = body_of(lowest, "stack");
+    EXPECT_EQ(stacked.island(), lowest);
+    EXPECT_EQ(stacked.island_bodies(), 10u);
+    for (const v1::InspectedContact& contact : stacked.contacts()) {
+        EXPECT_NEAR(contact.normal().y(), contact.entity() == 1 ? -1 : 1, 1e-3)
+            << "from the box to entity " << contact.entity();
+        EXPECT_EQ(contact.points_size(), 4);
+    }
+
+    const v1::InspectedBody jointed = body_of(left);
+    ASSERT_EQ(jointed.joints_size(), 1);
+    const v1::InspectedJoint& rod = jointed.joints(0);
+    EXPECT_EQ(rod.entity_a(), left);
+    EXPECT_EQ(rod.entity_b(), right);
+    EXPECT_NEAR(rod.coordinate(), 2, 1e-2);
+    EXPECT_EQ(rod.joint().kind_case(), v1::Joint::kDistance);
+    const v1::InspectResponse alone =
+        inspect([&](v1::InspectRequest& request) { request.set_joint(rod.id()); });
+    EXPECT_EQ(alone.joint().id(), rod.id());
+    EXPECT_GT(alone.tick(), 0u);
+}
+
+TEST_F(QueryControlTest, inspect_refuses_unknown_targets) {
+    const auto refused = [&](auto set) {
+        v1::InspectRequest request;
+        set(request);
+        v1::InspectResponse response;
+        return error_of(queries.inspect(request, response));
+    };
+    EXPECT_EQ(refused([](v1::InspectRequest&) {}).code, ErrorCode::invalid_argument);
+    EXPECT_EQ(refused([](v1::InspectRequest& r) { r.set_entity(999); }).message,
+              "entity 999 does not exist");
+    EXPECT_EQ(refused([](v1::InspectRequest& r) { r.set_joint(999); }).message,
+              "joint 999 does not exist");
+    EXPECT_EQ(refused([](v1::InspectRequest& r) { r.set_world("none"), r.set_entity(1); }).code,
+              ErrorCode::not_found);
 }
 
 class QueryDeformablesTest : public testing::Test, protected ServerParts {

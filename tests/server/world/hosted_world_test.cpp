@@ -70,6 +70,29 @@ TEST_F(HostedWorldTest, applies_each_input_at_most_once) {
     EXPECT_EQ(error_of(world.apply(command, tick).status).code, ErrorCode::invalid_argument);
 }
 
+TEST_F(HostedWorldTest, clients_delete_joints_by_the_ids_of_the_joint_list) {
+    world.set_limits({.scene = {.bodies_max = 20}, .bodies_owned_max = 3, .joints_owned_max = 3});
+    const EntityId ball = spawn(1);
+    const auto join = [&] {
+        return apply(1, CreateJointCommand{0, ball, physics::Transform{{5, 20, 0}, {}}, {}}).joint;
+    };
+    const std::uint32_t first = join(), second = join();
+    EXPECT_NE(first, second);
+    world.publish_joints(true);
+    const Frame frame = step();
+    ASSERT_EQ(frame.joint_list->size(), 2u);
+    EXPECT_EQ(frame.joint_list->front()->id, first);
+    const InputResult deleted = apply(1, DeleteJointCommand{.joint = first});
+    EXPECT_TRUE(deleted.status.ok());
+    EXPECT_EQ(deleted.joint, first);
+    ASSERT_EQ(step().joint_list->size(), 1u);
+    EXPECT_EQ(step().joint_list->front()->id, second);
+    EXPECT_EQ(error_of(apply(1, DeleteJointCommand{.joint = first}).status).code,
+              ErrorCode::not_found);
+    EXPECT_EQ(error_of(apply(1, DeleteJointCommand{.joint = 999}).status).code,
+              ErrorCode::not_found);
+}
+
 TEST_F(HostedWorldTest, never_reuses_entity_ids) {
     const EntityId first = spawn(1);
     EXPECT_TRUE(apply(1, DeleteCommand{first}).status.ok());

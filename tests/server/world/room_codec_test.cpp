@@ -48,7 +48,7 @@ TEST(RoomCodec, refuses_every_prefix_and_other_versions) {
     for (std::size_t size = 1; size < bytes.size(); size++)
         EXPECT_FALSE(decode_room(bytes.substr(0, size)).ok()) << size;
     EXPECT_FALSE(decode_room(bytes + "x").ok());
-    bytes[0] = 2;
+    bytes[0] = 3;
     EXPECT_EQ(error_of(decode_room(bytes)).code, ErrorCode::failed_precondition);
 }
 
@@ -78,7 +78,10 @@ TEST(RoomCodec, commands_of_all_kinds) {
         {VoteToKick{7}},
         {PauseRoom{true}},
         {ResetRoom{}},
-        {UpdateRoom{std::make_shared<const RoomProperties>(full_room().properties)}}};
+        {UpdateRoom{std::make_shared<const RoomProperties>(full_room().properties)}},
+        {StepRoom{3}},
+        {SetRoomSpeed{25}},
+        {RewindRoom{700}}};
     std::size_t index = 0;
     for (const RoomCommand& command : commands) {
         const std::string bytes = encode_room_command(command);
@@ -89,7 +92,7 @@ TEST(RoomCodec, commands_of_all_kinds) {
         EXPECT_FALSE(decode_room_command(bytes + "x").ok());
     }
     EXPECT_EQ(index, std::variant_size_v<decltype(RoomCommand::kind)>);
-    EXPECT_FALSE(decode_room_command("\x0d").ok()) << "an unknown kind";
+    EXPECT_FALSE(decode_room_command("\x10").ok()) << "an unknown kind";
 }
 
 }  // namespace

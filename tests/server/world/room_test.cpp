@@ -78,15 +78,28 @@ struct Cell {
     const char* allowed;  // spectator, player, builder, owner
 };
 constexpr Cell table[] = {
-    {"spawn", "none", "nyyy"},     {"explode", "none", "nyyy"},   {"push", "own", "nyyy"},
-    {"push", "scene", "nyyy"},     {"push", "other", "nnyy"},     {"drag", "own", "nyyy"},
-    {"drag", "scene", "nyyy"},     {"drag", "other", "nnyy"},     {"delete", "own", "nyyy"},
-    {"delete", "scene", "nnyy"},   {"delete", "other", "nnny"},   {"joints", "scene", "nyyy"},
-    {"control", "own", "nyyy"},    {"control", "scene", "nyyy"},  {"control", "other", "nyyy"},
-    {"message", "none", "yyyy"},   {"vote", "other", "nyyy"},     {"clean_up", "own", "nyyy"},
-    {"clean_up", "other", "nnny"}, {"mute", "other", "nnyy"},     {"kick", "other", "nnny"},
-    {"ban", "other", "nnny"},      {"set_role", "other", "nnny"}, {"protect", "none", "nnyy"},
-    {"pause", "none", "nnyy"},     {"reset", "none", "nnny"},     {"settings", "none", "nnny"},
+    {"spawn", "none", "nyyy"},         {"explode", "none", "nyyy"},
+    {"push", "own", "nyyy"},           {"push", "scene", "nyyy"},
+    {"push", "other", "nnyy"},         {"drag", "own", "nyyy"},
+    {"drag", "scene", "nyyy"},         {"drag", "other", "nnyy"},
+    {"delete", "own", "nyyy"},         {"delete", "scene", "nnyy"},
+    {"delete", "other", "nnny"},       {"joints", "scene", "nyyy"},
+    {"control", "own", "nyyy"},        {"control", "scene", "nyyy"},
+    {"control", "other", "nyyy"},      {"message", "none", "yyyy"},
+    {"vote", "other", "nyyy"},         {"clean_up", "own", "nyyy"},
+    {"clean_up", "other", "nnny"},     {"mute", "other", "nnyy"},
+    {"kick", "other", "nnny"},         {"ban", "other", "nnny"},
+    {"set_role", "other", "nnny"},     {"protect", "none", "nnyy"},
+    {"edit", "own", "nyyy"},           {"edit", "scene", "nnyy"},
+    {"edit", "other", "nnny"},         {"clone", "own", "nyyy"},
+    {"clone", "scene", "nyyy"},        {"clone", "other", "nnyy"},
+    {"create_joint", "own", "nyyy"},   {"create_joint", "scene", "nyyy"},
+    {"create_joint", "other", "nnyy"}, {"delete_joint", "own", "nyyy"},
+    {"delete_joint", "scene", "nyyy"}, {"delete_joint", "other", "nnyy"},
+    {"undo", "own", "nyyy"},           {"speed", "none", "nnyy"},
+    {"rewind", "none", "nnny"},        {"step", "none", "nnyy"},
+    {"pause", "none", "nnyy"},         {"reset", "none", "nnny"},
+    {"settings", "none", "nnny"},
 };
 
 class RoomPermissions : public RoomTest,
@@ -102,6 +115,24 @@ protected:
         if (action == "drag") return apply(actor, GrabCommand{entity, {}}).status;
         if (action == "delete") return apply(actor, DeleteCommand{entity}).status;
         if (action == "joints") return apply(actor, CutCommand{}).status;
+        if (action == "edit")
+            return apply(actor, EditCommand{.entity = entity, .friction = 0.3}).status;
+        if (action == "clone") return apply(actor, CloneCommand{entity, {0, 30, 0}}).status;
+        if (action == "create_joint")
+            return apply(actor, CreateJointCommand{0, entity, {}, {}}).status;
+        if (action == "delete_joint") {
+            const ClientId maker = target == "own" ? actor : target == "scene" ? 0 : other;
+            const PlayerRole role = member(actor).role;
+            set_role(other, PlayerRole::builder);
+            set_role(actor, PlayerRole::builder);
+            EXPECT_TRUE(apply(maker, CreateJointCommand{0, entity, {}, {}}).status.ok());
+            set_role(actor, role);
+            return apply(actor, DeleteJointCommand{.target = world.world().joints().back()}).status;
+        }
+        if (action == "undo") return apply(actor, UndoCommand{}).status;
+        if (action == "speed") return command(actor, SetRoomSpeed{50});
+        if (action == "rewind") return command(actor, RewindRoom{1});
+        if (action == "step") return command(actor, StepRoom{1});
         if (action == "control") return apply(actor, PossessCommand{entity}).status;
         if (action == "message") return world.may_send_message(actor);
         if (action == "vote") return command(actor, VoteToKick{other});

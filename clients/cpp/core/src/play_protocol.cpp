@@ -155,6 +155,8 @@ void PlayProtocol::on_message(Clock::time_point now) {
                 static_cast<void>(view_.apply(message_.snapshot().controlled_entity()).ok());
             if (message_.snapshot().frame() != 0) on_snapshot(message_.snapshot(), now);
             on_points(message_.snapshot());
+            if (message_.snapshot().has_joints())
+                note_error(view_.apply(message_.snapshot().joints()));
             on_data(*message_.mutable_snapshot());
             inputs_.confirm(message_.snapshot().client_update().input_received(), now);
             // Results and events are independent of the poses.
@@ -370,6 +372,7 @@ std::string PlayProtocol::hello() {
     for (const std::string& kind : options_.channels) hello.add_channels(kind);
     hello.set_max_kbps(options_.max_kbps);
     hello.set_packed_entities(options_.packed_entities);
+    hello.set_joints(options_.joints);
     hello.set_datagrams(options_.datagrams && !options_.network_conditions.impaired());
     if (options_.interest) write(*hello.mutable_interest(), *options_.interest);
     if (options_.precision) write(*hello.mutable_precision(), *options_.precision);

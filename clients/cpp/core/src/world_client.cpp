@@ -116,6 +116,11 @@ struct QueryClient::Impl {
         return call(*stub, method, request, security);
     }
 
+    Result<v1::InspectResponse> inspect(v1::InspectRequest& request) {
+        request.set_world(world);
+        return call(*stub, &v1::QueryService::Stub::Inspect, request, security);
+    }
+
     Result<QueryResult<Overlaps>> overlap(v1::OverlapRequest& request,
                                           const QueryOptions& options) {
         const auto response = invoke(&v1::QueryService::Stub::Overlap, request, options);
@@ -189,6 +194,24 @@ Result<QueryResult<std::optional<ClosestPointHit>>> QueryClient::closest_point(
                                    .point = read(closest.point()),
                                    .normal = read(closest.normal())};
     return result;
+}
+
+Result<QueryResult<v1::InspectedBody>> QueryClient::inspect_entity(std::uint32_t entity) {
+    v1::InspectRequest request;
+    request.set_entity(entity);
+    auto response = impl_->inspect(request);
+    if (!response.ok()) return response.error();
+    return QueryResult<v1::InspectedBody>{.value = std::move(*response->mutable_body()),
+                                          .tick = response->tick()};
+}
+
+Result<QueryResult<v1::InspectedJoint>> QueryClient::inspect_joint(std::uint32_t joint) {
+    v1::InspectRequest request;
+    request.set_joint(joint);
+    auto response = impl_->inspect(request);
+    if (!response.ok()) return response.error();
+    return QueryResult<v1::InspectedJoint>{.value = std::move(*response->mutable_joint()),
+                                           .tick = response->tick()};
 }
 
 }  // namespace jostle::client

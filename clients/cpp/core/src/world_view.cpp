@@ -30,6 +30,7 @@ void WorldView::begin(const v1::Welcome& welcome) {
     geometry_.clear();
     partial_geometry_ = {};
     controlled_entity_ = {};
+    joints_.clear();
     data_.clear();
 }
 

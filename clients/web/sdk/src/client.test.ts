@@ -92,6 +92,26 @@ describe('client', () => {
     client.control([0.5, -1], 3);
     vi.advanceTimersByTime(34);
     const inputs = socket.take().flatMap((message) => (message.case === 'input' ? message.value.inputs : []));
+    client.edit(5, { mass: 3, frozen: true, position: { x: 0, y: 9, z: 0 } });
+    client.clone(5, { offset: { x: 1, y: 0, z: 0 }, jointed: true });
+    client.createJoint({ entityB: 5, joint: { kind: { case: 'ball', value: {} }, breakForce: 100 } });
+    client.deleteJoint(8);
+    client.undo();
+    client.stepRoom(2);
+    client.setRoomSpeed(25);
+    client.rewindRoom(600);
+    vi.advanceTimersByTime(34);
+    const tools = socket.take().flatMap((message) => (message.case === 'input' ? message.value.inputs : [])).map(({ kind }) => kind);
+    expect(tools.map((kind) => kind.case)).toEqual(['edit', 'clone', 'createJoint', 'deleteJoint', 'undo', 'room', 'room', 'room']);
+    expect(tools[0]!.value).toMatchObject({ entity: 5, mass: 3, frozen: true, position: { y: 9 } });
+    expect((tools[0]!.value as { density?: number }).density).toBeUndefined();
+    expect(tools[1]!.value).toMatchObject({ entity: 5, offset: { x: 1 }, jointed: true });
+    expect(tools[2]!.value).toMatchObject({ entityA: 0, entityB: 5, joint: { kind: { case: 'ball' }, breakForce: 100 } });
+    expect(tools.slice(5).map((kind) => (kind.value as { kind: unknown }).kind)).toMatchObject([
+      { case: 'step', value: { steps: 2 } },
+      { case: 'speed', value: { percent: 25 } },
+      { case: 'rewind', value: { tick: 600 } },
+    ]);
     expect(inputs.map(({ kind }) => kind.case)).toEqual(['impulse', 'grab', 'drag', 'release', 'possess', 'control']);
     expect(inputs[0]!.kind.value).toMatchObject({ entity: 5, impulse: { x: 1, y: 2, z: 3 } });
     expect(inputs[5]!.kind.value).toMatchObject({ axes: [500, -1000], buttons: 3 });

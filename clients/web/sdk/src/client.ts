@@ -3,9 +3,10 @@
 
 import { nowUs } from './clock/clock_sync.js';
 import { Connection, type AreaOfInterest, type Precision, type ConnectionListener, type ConnectionState, type Input, type Socket } from './connection/connection.js';
+import type { ListedJoint } from './connection/joint_list.js';
 import type { MessageInitShape } from '@bufbuild/protobuf';
 import type { AttributeTarget, AttributeValue, WorldData } from './connection/world_data.js';
-import { AttributeVisibility, type Entity, type RoomInputSchema } from './gen/jostle/v1/play_pb.js';
+import { AttributeVisibility, type CloneInputSchema, type CreateJointInputSchema, type EditInputSchema, type Entity, type RoomInputSchema } from './gen/jostle/v1/play_pb.js';
 import type { PointObjectView } from './interpolation/point_objects.js';
 import { RenderedPoses } from './interpolation/rendered_poses.js';
 import { MOTION_CHANNEL } from './snapshot/channels.js';
@@ -13,6 +14,15 @@ import type { PredictionController } from './prediction/prediction_controller.js
 
 /** A command about a room in the form of proto RoomInput. */
 export type RoomCommand = MessageInitShape<typeof RoomInputSchema>;
+
+/** The joint of Client.createJoint() in the form of proto CreateJointInput. */
+export type NewJoint = MessageInitShape<typeof CreateJointInputSchema>;
+
+/** The changes of Client.edit() in the form of proto EditInput; absent fields stay unchanged. */
+export type BodyEdit = Omit<MessageInitShape<typeof EditInputSchema>, '$typeName' | 'entity'>;
+
+/** Options of Client.clone() in the form of proto CloneInput. */
+export type CloneOptions = Omit<MessageInitShape<typeof CloneInputSchema>, '$typeName' | 'entity'>;
 
 /** A vector in the world: m, m/s or N s. */
 export interface Vector {
@@ -36,6 +46,8 @@ export interface ConnectOptions {
   readonly areaOfInterest?: AreaOfInterest;
   /** Precision of the poses for this client; default: that of the world. */
   readonly precision?: Precision;
+  /** Whether to receive joints (Client.joints); default: false. */
+  readonly joints?: boolean;
   /** Whether to receive events (ConnectionListener.worldEvents); default: false. */
   readonly events?: boolean;
   /** Display name, at most 32 bytes; default: "browser". */
@@ -116,7 +128,7 @@ export class Client {
 
   /** Use connect(). */
   constructor(options: ConnectOptions) {
-    const { url, token, joinCode, channels = [], areaOfInterest, precision, events = false, prediction = false, listener = {} } = options;
+    const { url, token, joinCode, channels = [], areaOfInterest, precision, joints = false, events = false, prediction = false, listener = {} } = options;
     this.listener = listener;
     const channelKinds = prediction === false ? channels : [...channels, MOTION_CHANNEL];
     const forward: ConnectionListener = {
@@ -129,13 +141,14 @@ export class Client {
       worldEvents: (worldEvents) => listener.worldEvents?.(worldEvents),
       inputRejected: (result) => listener.inputRejected?.(result),
       notice: (text) => listener.notice?.(text),
+      joints: (list) => listener.joints?.(list),
       userMessage: (message) => listener.userMessage?.(message),
       playerEvent: (event) => listener.playerEvent?.(event),
       dataChanged: (data) => listener.dataChanged?.(data),
     };
     const { name, color, players, attributes, topics } = options;
     this.connection = new Connection({
-      url, listener: forward, openSocket: options.openSocket, token, joinCode, channelKinds, areaOfInterest, precision, name, color, players, attributes, topics,
+      url, listener: forward, openSocket: options.openSocket, token, joinCode, channelKinds, areaOfInterest, precision, joints, name, color, players, attributes, topics,
     });
     this.connection.setEventsEnabled(events);
   }
@@ -186,6 +199,11 @@ export class Client {
   /** All entities of the world by id: shapes, names, masses and owners. Poses are separate: sample(). */
   get entities(): ReadonlyMap<number, Entity> {
     return this.connection.entities;
+  }
+
+  /** Joints of the world by id, if ConnectOptions.joints is set. */
+  get joints(): ReadonlyMap<number, ListedJoint> {
+    return this.connection.joints.joints;
   }
 
   /**
@@ -285,6 +303,49 @@ export class Client {
    */
   room(kind: NonNullable<RoomCommand['kind']>): void {
     this.send({ case: 'room', value: { kind } });
+  }
+
+  /**
+   * Changes the pose, velocity, mass, density, friction, restitution, colour or gravity scale of a body,
+   * or freezes it.
+   */
+  edit(entity: number, changes: BodyEdit): void {
+    this.send({ case: 'edit', value: { ...changes, entity } });
+  }
+
+  /** Spawns a copy of a body, or with `jointed` of all bodies that joints connect to it. */
+  clone(entity: number, options: CloneOptions): void {
+    this.send({ case: 'clone', value: { ...options, entity } });
+  }
+
+  /** Joins two bodies, or a body and the world (entityA 0). InputResult.joint is the id of the joint. */
+  createJoint(joint: NewJoint): void {
+    this.send({ case: 'createJoint', value: joint });
+  }
+
+  /** Deletes a joint (ListedJoint.id). */
+  deleteJoint(joint: number): void {
+    this.send({ case: 'deleteJoint', value: { joint } });
+  }
+
+  /** Reverts the newest spawn, clone, deletion, edit or change of a joint by this client. */
+  undo(): void {
+    this.send({ case: 'undo', value: {} });
+  }
+
+  /** Steps a room that a member paused. */
+  stepRoom(steps = 1): void {
+    this.room({ case: 'step', value: { steps } });
+  }
+
+  /** Runs the room at a share of real time: 5 to 100 percent, a multiple of 5. */
+  setRoomSpeed(percent: number): void {
+    this.room({ case: 'speed', value: { percent } });
+  }
+
+  /** Continues the room from one of WorldStats.restorableTicks. */
+  rewindRoom(tick: number): void {
+    this.room({ case: 'rewind', value: { tick } });
   }
 
   /** Players and attributes, for clients that subscribed to them. */

@@ -13,7 +13,7 @@
  */
 
 // A client of one world: the usual entry point.
-export { Client, connect, ConnectError, type ConnectOptions, type RoomCommand, type Vector } from './client.js';
+export { Client, connect, ConnectError, type BodyEdit, type CloneOptions, type ConnectOptions, type NewJoint, type RoomCommand, type Vector } from './client.js';
 
 // The parts of a client, for applications with their own render loop.
 export { nowUs } from './clock/clock_sync.js';
@@ -29,6 +29,7 @@ export {
   type PredictionListener,
   type Socket,
 } from './connection/connection.js';
+export { JointList, type ListedJoint } from './connection/joint_list.js';
 export { WorldData, type AttributeTarget, type AttributeValue } from './connection/world_data.js';
 export { FrameBuffer, POSE_FLOATS, type PoseFrame } from './interpolation/frame_buffer.js';
 export { PointObjects, PointObjectView } from './interpolation/point_objects.js';

@@ -1,9 +1,11 @@
 // Acceptance of the viewer: a wide page and a phone in one world. Layout, targets and gestures of touch
-// screens, panels as sheets, keys, accessibility in both themes (axe-core), script time per frame for
-// 2,000 moving bodies, and frames from an input to its visible effect.
+// screens, panels as sheets, keys, accessibility in both themes (axe-core), joints, planar worlds, the
+// initial view of a scene, script time per frame for 2,000 moving bodies, and frames from an input to its
+// visible effect.
 
 import { createRequire } from 'node:module';
 import { readFileSync } from 'node:fs';
+import { setName } from './chromium.mjs';
 
 const AXE = readFileSync(createRequire(import.meta.url).resolve('axe-core/axe.min.js'), 'utf8');
 const WIDE = { width: 1440, height: 900 };
@@ -32,17 +34,66 @@ export const movingScene = {
   ],
 };
 
+/** Joints with visible shapes, a trigger and a kinematic body. */
+export const jointScene = {
+  name: 'joints',
+  view: { eye: vec(1, 5, 13), target: vec(1, 2.2, 0), fieldOfView: 0.9 },
+  bodies: [
+    { name: 'floor', type: 'BODY_TYPE_STATIC', shapes: [{ plane: {} }] },
+    { name: 'beam', type: 'BODY_TYPE_STATIC', position: vec(0, 5, 0), shapes: [{ box: { halfExtents: vec(7, 0.15, 0.3) } }] },
+    { name: 'link', position: vec(-6, 4.4, 0), shapes: [{ capsule: { radius: 0.12, halfLength: 0.25 } }], repeat: [{ count: 4, offset: vec(0, -0.75, 0) }] },
+    { name: 'fan', position: vec(-4, 3.6, 0.6), shapes: [{ box: { halfExtents: vec(1, 0.12, 0.08) } }] },
+    { name: 'weight', position: vec(-2, 3, 0), shapes: [{ box: { halfExtents: vec(0.35, 0.35, 0.35) } }] },
+    { name: 'bell', position: vec(0, 3, 0), shapes: [{ sphere: { radius: 0.35 } }] },
+    { name: 'lift', position: vec(2, 2.5, 0), shapes: [{ box: { halfExtents: vec(0.6, 0.12, 0.6) } }] },
+    { name: 'left', position: vec(4, 2.5, 0), shapes: [{ box: { halfExtents: vec(0.3, 0.3, 0.3) } }] },
+    { name: 'right', position: vec(6, 2.5, 0), shapes: [{ box: { halfExtents: vec(0.3, 0.3, 0.3) } }] },
+    { name: 'paddle', type: 'BODY_TYPE_KINEMATIC', position: vec(0, 0.6, 3), angularVelocity: vec(0, 1, 0), shapes: [{ box: { halfExtents: vec(1.6, 0.4, 0.2) } }] },
+    { name: 'gate', type: 'BODY_TYPE_STATIC', position: vec(4.5, 1, 3), shapes: [{ box: { halfExtents: vec(1, 1, 1) }, trigger: true }] },
+    { name: 'chassis', position: vec(-4, 1, 3), shapes: [{ box: { halfExtents: vec(0.9, 0.2, 0.5) } }] },
+    { name: 'wheel', position: vec(-4.7, 0.5, 3.65), rotation: { x: Math.SQRT1_2, y: 0, z: 0, w: Math.SQRT1_2 }, shapes: [{ cylinder: { radius: 0.35, halfLength: 0.1 } }], repeat: [{ count: 2, offset: vec(1.4, 0, 0) }] },
+    { name: 'wheel2', position: vec(-4.7, 0.5, 2.35), rotation: { x: Math.SQRT1_2, y: 0, z: 0, w: Math.SQRT1_2 }, shapes: [{ cylinder: { radius: 0.35, halfLength: 0.1 } }], repeat: [{ count: 2, offset: vec(1.4, 0, 0) }] },
+  ],
+  joints: [
+    { bodyA: 'beam', bodyB: 'link', frame: { position: vec(-6, 4.8, 0) }, ball: {} },
+    { bodyA: 'link', bodyB: 'link[1]', frame: { position: vec(-6, 4.02, 0) }, ball: {}, repeat: { count: 3, offset: vec(0, -0.75, 0) } },
+    { bodyB: 'fan', frame: { position: vec(-4, 3.6, 0.6) }, hinge: { motorSpeed: 3, motorMaxTorque: 500 } },
+    { bodyA: 'beam', bodyB: 'weight', frameA: { position: vec(-2, -0.15, 0) }, frameB: { position: vec(0, 0.35, 0) }, distance: { minLength: 0, maxLength: 4, spring: { hertz: 1, dampingRatio: 0.1 }, restLength: 1.5 } },
+    { bodyA: 'beam', bodyB: 'bell', frameA: { position: vec(0, -0.15, 0) }, frameB: { position: vec(0, 0.35, 0) }, distance: { minLength: 0, maxLength: 1.8 } },
+    { bodyA: 'beam', bodyB: 'lift', frame: { position: vec(2, 2.5, 0), rotation: { x: -Math.SQRT1_2, y: 0, z: 0, w: Math.SQRT1_2 } }, slider: { limit: { lower: -1, upper: 1 }, motorSpeed: 0.5, motorMaxForce: 1e4 } },
+    { bodyA: 'left', bodyB: 'right', pulley: { pointA: vec(4, 4.6, 0), pointB: vec(6, 4.6, 0), length: 4.2 } },
+    ...['wheel', 'wheel[1]', 'wheel2', 'wheel2[1]'].map((bodyB, k) => ({
+      bodyA: 'chassis',
+      bodyB,
+      frameA: { position: vec(k % 2 === 0 ? -0.7 : 0.7, -0.3, k < 2 ? 0.65 : -0.65) },
+      frameB: { rotation: { x: -Math.SQRT1_2, y: 0, z: 0, w: Math.SQRT1_2 } },
+      wheel: { suspension: { hertz: 4, dampingRatio: 0.7 }, motorSpeed: 0, motorMaxTorque: 50 },
+    })),
+  ],
+};
+
+/** A planar yard of boxes. */
+export const planarScene = {
+  name: 'flat',
+  world: { planar: true },
+  bodies: [
+    { name: 'floor', type: 'BODY_TYPE_STATIC', position: vec(0, -0.5, 0), shapes: [{ box: { halfExtents: vec(12, 0.5, 1) } }] },
+    { name: 'crate', position: vec(-3, 0.5, 0), shapes: [{ box: { halfExtents: vec(0.5, 0.5, 0.5) } }], repeat: [{ count: 5, offset: vec(1.5, 0, 0) }, { count: 4, offset: vec(0, 1, 0) }] },
+    { name: 'disc', position: vec(5, 3, 0), shapes: [{ sphere: { radius: 0.5 } }] },
+  ],
+};
+
 const inspect = (page, name) => page.evaluate((member) => window.jostle?.[member], name);
 const playing = (page, until, what) => until(`${what} plays`, () => page.evaluate(() => window.jostle?.state === 'playing' && window.jostle.snapshots > 20));
 
-async function checkAccessibility(page, what, expect) {
+export async function checkAccessibility(page, what, expect) {
   await page.evaluate(AXE);
   const violations = await page.evaluate(async () => (await window.axe.run(document, { resultTypes: ['violations'] })).violations.map(({ id, nodes }) => `${id}: ${nodes.map(({ html }) => html.slice(0, 120)).join(' | ')}`));
   expect(violations.length === 0, `axe-core finds no violations: ${what}${violations.map((text) => `\n    ${text}`).join('')}`);
 }
 
 /** Visible buttons that are too small for fingers, and elements beyond the borders of the page. */
-const layoutProblems = (page, targetMin) =>
+export const layoutProblems = (page, targetMin) =>
   page.evaluate(async (min) => {
     await Promise.all(document.getAnimations().map(({ finished }) => finished));
     const problems = [];
@@ -72,13 +123,14 @@ async function touch(cdp, steps, holdMs = 0) {
 }
 
 export async function testAcceptance({ browser, url, post, until, expect, screenshot }) {
-  for (const scene of [movingScene]) {
+  for (const scene of [movingScene, jointScene, planarScene]) {
     const created = await post('/api/worlds', { name: scene.name, scene });
     expect(created.ok, `the scene ${scene.name} is accepted${created.ok ? '' : `: ${await created.text()}`}`);
   }
   const errors = [];
   const open = async (options, query) => {
     const context = await browser.newContext(options);
+    await setName(context);
     const page = await context.newPage();
     page.setDefaultTimeout(60_000);
     page.on('pageerror', (error) => errors.push(String(error)));
@@ -94,6 +146,8 @@ export async function testAcceptance({ browser, url, post, until, expect, screen
     await testWideLayout({ page: wide, until, expect, take });
     await testPhone({ page: phone, cdp, until, expect, take });
     await testDriving({ page: phone, cdp, url, until, expect, take });
+    await testJoints({ page: wide, url, until, expect, take });
+    await testPlanar({ page: wide, url, until, expect, take });
     await phone.context().close();
     await testSpeed({ page: wide, url, until, expect });
     expect(errors.length === 0, `both pages have no errors ${errors.join('; ')}`);
@@ -230,6 +284,33 @@ async function testDriving({ page, cdp, url, until, expect, take }) {
   expect(true, `the stick moves the car ${distance.toFixed(1)} m`);
   await page.locator('#driver button', { hasText: 'Release' }).tap();
   await until('the car is released', async () => (await inspect(page, 'controlledEntity')) === 0);
+}
+
+async function testJoints({ page, url, until, expect, take }) {
+  await page.goto(`${url}/?quality=low&world=joints`);
+  await playing(page, until, 'the world of joints');
+  const count = jointScene.joints.length + 2; // three copies of a joint
+  await until(`${count} joints are drawn`, async () => (await inspect(page, 'jointCount')) === count);
+  const [x, y, z] = await inspect(page, 'cameraTarget');
+  expect(Math.hypot(x - 1, y - 2.2, z) < 0.1, 'the camera shows the view of the scene');
+  await take(page, 'joints');
+  await page.keyboard.press('f');
+  await until('F shows all bodies', async () => Math.hypot(...(await inspect(page, 'cameraTarget')).slice(0, 3).map((v, k) => v - [1, 2.2, 0][k])) > 0.3);
+  expect(true, `${count} joints are drawn, and F leaves the view of the scene`);
+}
+
+async function testPlanar({ page, url, until, expect, take }) {
+  await page.goto(`${url}/?quality=low&world=flat`);
+  await playing(page, until, 'the planar world');
+  expect(await inspect(page, 'planar'), 'a planar world is shown by an orthographic camera');
+  const corners = await page.evaluate(() => [[-12, 0], [12, 4.5]].map(([x, y]) => window.jostle.toScreen(x, y, 0)));
+  expect(corners.every(({ x, y }) => x > 0 && x < 1440 && y > 40 && y < 860), 'the planar world fits the view');
+  const count = await inspect(page, 'entityCount');
+  await page.keyboard.press('3');
+  const at = await page.evaluate(() => window.jostle.toScreen(-8, 3, 0));
+  await page.mouse.click(at.x, at.y);
+  await until('a box is placed in the plane', async () => (await inspect(page, 'entityCount')) === count + 1);
+  await take(page, 'planar');
 }
 
 async function testSpeed({ page, url, until, expect }) {

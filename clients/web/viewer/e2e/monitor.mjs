@@ -10,9 +10,9 @@ export async function testMonitor({ browser, page, url, until, expect, takeScree
   monitor.on('console', (message) => message.type() === 'error' && errors.push(message.text()));
   monitor.on('dialog', (dialog) => void dialog.accept('for a test'));
   await monitor.goto(`${url}/monitor.html`);
-  const world = monitor.locator('#worlds tr', { hasText: 'sandbox' });
+  const world = monitor.locator('#worlds tr', { hasText: 'sandbox' }).first();
   await until('the monitor lists the world', async () => (await world.count()) > 0);
-  const client = monitor.locator('#clients tr', { hasText: 'browser' });
+  const client = monitor.locator('#clients tr', { hasText: 'tester' });
   await until('the monitor lists the client', async () => (await client.count()) > 0);
   const poses = monitor.locator('#counters tr', { hasText: 'poses' });
   await until('poses have a rate', async () => /[1-9]/.test((await poses.locator('td').nth(2).textContent().catch(() => '')) ?? ''));

@@ -1,7 +1,8 @@
 // Tests the viewer in headless Chromium against a real server: joining, dragging, throwing, shapes of
 // every kind, module renderers, picking by the server, the debug view, events, prediction over a slow
 // network, recordings, resuming after a server failure, dragging and cutting a rope, controlling a car, a
-// character and a boat, and the acceptance of its layout; and the example of the SDK.
+// character and a boat, two players in one world, the lobby, the sandbox tools, and the acceptance of
+// its layout; and the example of the SDK.
 // Usage: node viewer/e2e/viewer.mjs SERVER_BINARY [--screenshot FILE]
 // FILE shows the sandbox, FILE-shapes the debug view of a world of shapes. The exit status is 1 if a
 // test fails.
@@ -13,27 +14,17 @@ import { join } from 'node:path';
 import { fileURLToPath } from 'node:url';
 import { chromium } from 'playwright-core';
 import { testAcceptance } from './acceptance.mjs';
+import { CHROMIUM_FLAGS, setName } from './chromium.mjs';
 import { testControl } from './control.mjs';
 import { testDeformables } from './deformables.mjs';
 import { testMonitor } from './monitor.mjs';
+import { testPeople } from './people.mjs';
 import { testPrediction } from './prediction.mjs';
 import { testRecording } from './recording.mjs';
 import { testResume } from './resume.mjs';
+import { testSandbox } from './sandbox.mjs';
 import { testSdkExample } from './sdk_example.mjs';
 import { shapesScene } from './shapes_scene.mjs';
-
-const CHROMIUM_FLAGS = [
-  '--no-sandbox',
-  '--disable-quic',
-  '--no-first-run',
-  '--disable-background-networking',
-  '--disable-component-update',
-  '--disable-sync',
-  '--ignore-gpu-blocklist',
-  '--enable-unsafe-swiftshader',
-  '--use-gl=angle',
-  '--use-angle=swiftshader',
-];
 
 const [server, ...rest] = process.argv.slice(2);
 if (!server || !existsSync(server)) {
@@ -79,6 +70,7 @@ try {
   browser = await chromium.launch({ executablePath: '/usr/bin/chromium', args: CHROMIUM_FLAGS });
   const page = await browser.newPage({ viewport: { width: 1280, height: 720 } });
   page.setDefaultTimeout(TIMEOUT_S * 1000);
+  await setName(page);
   const post = (path, message) =>
     fetch(`http://127.0.0.1:${ports.http}${path}`, {
       method: 'POST',
@@ -226,9 +218,13 @@ try {
   // On a page of its own, because a stopped server causes console errors.
   const otherPage = await browser.newPage({ viewport: { width: 1280, height: 720 } });
   otherPage.setDefaultTimeout(TIMEOUT_S * 1000);
+  await setName(otherPage);
   const takeOtherScreenshot = (what) => otherPage.screenshot({ path: screenshot.replace(/(\.\w+)?$/, `-${what}$1`), timeout: 40_000 });
   await testResume({ page: otherPage, server, folder, webRoot, until, expect, takeScreenshot: screenshot && takeOtherScreenshot });
   await otherPage.close();
+
+  const takePeople = async (one, what) => screenshot && void (await one.screenshot({ path: screenshot.replace(/(\.\w+)?$/, `-${what}$1`), timeout: 60_000 }));
+  await testPeople({ browser, url: `http://127.0.0.1:${ports.http}`, post, until, expect, take: takePeople });
 
   // Created last, because its waves cost the server more than all other worlds.
   const swings = await post('/api/worlds', { name: 'swings', sceneName: 'swings' });
@@ -240,6 +236,7 @@ try {
   await testMonitor({ browser, page, url: `http://127.0.0.1:${ports.http}`, until, expect, takeScreenshot: screenshot?.replace(/(\.\w+)?$/, '-monitor$1') });
 
   const nameOf = screenshot && ((what) => screenshot.replace(/(\.\w+)?$/, `-${what}$1`));
+  await testSandbox({ browser, url: `http://127.0.0.1:${ports.http}`, post, until, expect, screenshot: nameOf });
   // Takes four minutes and measures times: JOSTLE_ACCEPTANCE=1 on a machine that does nothing else.
   if (process.env.JOSTLE_ACCEPTANCE) await testAcceptance({ browser, url: `http://127.0.0.1:${ports.http}`, post, until, expect, screenshot: nameOf });
 

@@ -5,15 +5,19 @@ import type { WorldStats } from '@jostle/client/gen/play_pb';
 import type { PredictionController } from '@jostle/client/prediction';
 import * as THREE from 'three';
 import type { Camera } from './camera/camera';
+import type { People } from './people/people';
 import type { Driving } from './interaction/driving';
 import type { ModuleView } from './module_renderers/module_view';
 import type { FrameTimes } from './ui/frame_times';
 import type { PointObjectsView } from './point_objects/point_objects_view';
+import type { JointView } from './scene/joint_view';
+import type { Sandbox } from './sandbox/sandbox';
 import type { SceneView } from './scene/scene_view';
 import type { UnitKind } from './scene/shape_parts';
 import { heightAt } from './scene/water';
 
 export interface Inspected {
+  readonly people: People;
   readonly connection: Connection;
   readonly view: SceneView;
   readonly moduleView: ModuleView;
@@ -21,6 +25,8 @@ export interface Inspected {
   readonly camera: Camera;
   readonly driving: Driving;
   readonly frameTimes: FrameTimes;
+  readonly jointView: JointView;
+  readonly sandbox: Sandbox;
   stats(): WorldStats | undefined;
   qualityName(): string;
   recording(): RecordedStream | undefined;
@@ -29,7 +35,7 @@ export interface Inspected {
 }
 
 export function exposeInspection(inspected: Inspected): void {
-  const { connection, view, moduleView, pointObjectsView, camera, driving, frameTimes } = inspected;
+  const { connection, view, moduleView, pointObjectsView, camera, driving, frameTimes, jointView, sandbox, people } = inspected;
   const { stats, qualityName, recording, prediction, controllableEntities } = inspected;
   /** Position of a point of the world on the page, in pixels. */
   const toScreen = (x: number, y: number, z: number) => {
@@ -57,8 +63,31 @@ export function exposeInspection(inspected: Inspected): void {
       const object = [...connection.points.objects.values()][index];
       return object?.hasPoints ? [...object.positions.subarray(0, 3 * object.count)] : undefined;
     },
+    /** Number of drawn joints. */
+    get jointCount() {
+      return jointView.count;
+    },
+    /** Ids of the joints of the world. */
+    jointIds: () => [...connection.joints.joints.keys()],
+    /** The selected body or joint; undefined: none. */
+    get selected() {
+      return sandbox.selection.current;
+    },
+    /** The inspected body or joint as the server sent it last; undefined: none. */
+    get inspected() {
+      const response = sandbox.newestInspection;
+      return response?.body ?? response?.joint;
+    },
+    /** Number of vertices of the marks of the selection. */
+    get selectionVertexCount() {
+      return sandbox.selectionView.lines.count;
+    },
     get snapshots() {
       return connection.snapshots;
+    },
+    /** The other players as this page shows them. */
+    get people() {
+      return people.inspect();
     },
     /** Assigned by the server; 0: not connected yet. */
     get clientId() {

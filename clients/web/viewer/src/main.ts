@@ -16,6 +16,7 @@ import {
   type ConnectionState,
 } from '@jostle/client';
 import type { Entity, WorldStats } from '@jostle/client/gen/play_pb';
+import type { View } from '@jostle/client/gen/scene_pb';
 import type { PredictionController } from '@jostle/client/prediction';
 import * as THREE from 'three';
 import { Camera } from './camera/camera';
@@ -31,12 +32,17 @@ import { drawArrows, DriverPanel, offerText } from './panels/driver';
 import { describePick, entityName } from './panels/entity_names';
 import type { EventsPanel } from './panels/events';
 import type { StatsPanel } from './panels/stats';
+import type { LobbyPanel } from './lobby/lobby_panel';
+import { ServerApi } from './lobby/server_api';
+import { People } from './people/people';
 import { StatusBanner } from './panels/status_banner';
 import { TimelinePanel } from './panels/timeline';
 import { Toasts } from './panels/toasts';
 import { DebugView } from './scene/debug_view';
+import { Sandbox } from './sandbox/sandbox';
 import { Environment, PALETTES } from './scene/environment';
 import { HitMarks } from './scene/hit_marks';
+import { JointView } from './scene/joint_view';
 import { InputMarks } from './scene/input_marks';
 import { AutomaticQuality, LOW_QUALITY, QUALITY_LEVELS, type QualityLevel } from './scene/quality';
 import { SceneView } from './scene/scene_view';
@@ -123,6 +129,7 @@ const listener: ConnectionListener = {
     stateLine.className = state;
     banner.setConnection(state, reason);
     if (state === 'playing') onPlaying();
+    if (state === 'playing') people.playing();
     if (state === 'stopped' && reason) panels.open('worlds');
   },
   entityList: (entities) => {
@@ -130,26 +137,55 @@ const listener: ConnectionListener = {
     controllable = recorded ? [] : [...entities.values()].filter((entity) => entity.controllable);
     entitiesChanged = true;
     if (!entities.has(driving.entity)) driving.reset();
+    sandbox.onWorldChanged();
   },
   stats: (stats) => {
     latestStats = stats;
     statsPanel?.update(stats);
+    sandbox.onStats(stats);
     banner.setStats(recorded ? undefined : stats);
   },
+  joints: (joints) => {
+    jointView.setJoints(joints);
+    sandbox.onWorldChanged();
+  },
   worldEvents: (events) => eventsPanel?.addEvents(events, performance.now() + renderDelayMs()),
-  inputRejected: (result) => toasts.show(result.message || 'the server rejected the input'),
+  inputRejected: (result) => people.rejected(result) || toasts.show(result.message || 'the server rejected the input'),
   notice: (text) => toasts.show(text),
+  playerEvent: (event) => people.playerEvent(event),
+  dataChanged: () => people.dataChanged(),
+  userMessage: (message) => people.message(message),
 };
 const open = parameters.networkConditions ? simulatedSocket(openSocket, parameters.networkConditions) : openSocket;
 let recorded: RecordedStream | undefined; // played instead of a live world
 const channelKinds = [...RENDERED_CHANNEL_KINDS, POINT_CHANNEL_KINDS, ...(parameters.predict ? [MOTION_CHANNEL] : [])];
+const contextMenu = new ContextMenu(byId('context-menu'));
+const panels = new Panels({ left: byId('dock-left'), right: byId('dock-right'), buttons: byId('panel-buttons') }, updateLayout);
+const people = new People({
+  connection: () => connection,
+  view,
+  camera,
+  panels,
+  contextMenu,
+  token,
+  grab: () => tools.grab,
+  controlled: () => driving.entity,
+  isRecorded: () => recorded !== undefined,
+  join: joinWorld,
+  showProblem: (text) => toasts.show(text),
+});
 const connection = new Connection({
   url: websocketUrl(),
+  ...people.connectionOptions,
+  joinCode: people.initialJoinCode(parameters.world),
   listener,
   openSocket: (url) => (recorded ? recorded.open() : open(url)),
   token,
   channelKinds,
   areaOfInterest: parameters.areaOfInterest,
+  joints: true,
+  players: true,
+  attributes: true,
 });
 
 function onPlaying(): void {
@@ -165,9 +201,9 @@ function beginWorld(): void {
   banner.begin();
 }
 
-function joinWorld(world: string): void {
+function joinWorld(world: string, joinCode = ''): void {
   beginWorld();
-  connection.join(world);
+  connection.join(world, joinCode);
 }
 
 function websocketUrl(): string {
@@ -199,13 +235,24 @@ const queries = new Queries(() => (connection.state === 'playing' && !recorded ?
 const readout = byId('readout');
 const driving = new Driving((input) => connection.send(input));
 const touchControls = new TouchControls(byId('touch-controls'));
-const contextMenu = new ContextMenu(byId('context-menu'));
 const inputMarks = new InputMarks();
 let controllable: Entity[] = [];
 let entitiesChanged = false;
 let touchUsed = matchMedia('(pointer: coarse)').matches;
 addEventListener('pointerdown', ({ pointerType }) => (touchUsed = pointerType === 'touch'), { capture: true });
 
+const commands = new Commands();
+const sandbox = new Sandbox({
+  connection,
+  queries,
+  view,
+  panels,
+  commands,
+  hint: byId('tool-hint'),
+  isPlanar: () => camera.planar,
+  focus: focusBody,
+  stats: () => latestStats,
+});
 const tools = new Tools({
   canvas,
   camera,
@@ -213,6 +260,7 @@ const tools = new Tools({
   connection,
   queries,
   onHover(hit) {
+    people.hover(hit?.point);
     readout.hidden = hit === undefined;
     if (hit) readout.textContent = describePick(connection.entities.get(hit.entity), hit);
   },
@@ -223,6 +271,8 @@ const tools = new Tools({
   onExplosion: (x, y, z, radius) => moduleView.blasts.add(x, y, z, radius, performance.now()),
   onSpawn: (position, radius) => inputMarks.spawned(position, radius, performance.now()),
   onMenu: openBodyMenu,
+  spawnOptions: sandbox.spawnOptions,
+  onSandboxClick: (tool, hit, ray) => (tool === 'joint' ? hit && sandbox.jointTool.click(hit) : sandbox.inspectAt(hit, ray)),
   onFocus: (hit) => hit && focusBody(hit.entity),
 });
 
@@ -236,6 +286,7 @@ function focusBody(entity: number): void {
 function openBodyMenu(hit: Pick | undefined, x: number, y: number): void {
   const entity = hit && connection.entities.get(hit.entity);
   const items: MenuItem[] = [];
+  if (entity) items.push(...sandbox.menuItems(entity.id, tools.enabled));
   if (entity && entity.mass > 0) items.push({ label: 'Focus', run: () => focusBody(entity.id) });
   if (entity?.controllable && tools.enabled) items.push({ label: 'Drive', run: () => takeControl(entity.id) });
   if (entity && tools.enabled && entity.owner !== 0 && entity.owner === connection.welcome?.clientId)
@@ -247,6 +298,7 @@ function openBodyMenu(hit: Pick | undefined, x: number, y: number): void {
 const toolbar = new Toolbar<Tool>(byId('tools'), TOOLS, selectTool);
 function selectTool(tool: Tool): void {
   tools.tool = tool;
+  sandbox.jointTool.setSelected(tool === 'joint');
   toolbar.show(tool);
   canvas.style.cursor = tool === 'drag' ? '' : 'crosshair';
 }
@@ -254,6 +306,7 @@ function selectTool(tool: Tool): void {
 const driverPanel = new DriverPanel(byId('driver'), takeControl, () => driving.stopControlling());
 const debugView = new DebugView(view.scene);
 const hitMarks = new HitMarks(view.scene);
+const jointView = new JointView(view.scene);
 const moduleView = new ModuleView(view.scene);
 const pointObjectsView = new PointObjectsView(view.scene);
 const scaleBar = new ScaleBar(byId('scale'));
@@ -264,9 +317,8 @@ let latestStats: WorldStats | undefined;
 let statsPanel: StatsPanel | undefined;
 let debugPanel: DebugPanel | undefined;
 let eventsPanel: EventsPanel | undefined;
+let lobby: LobbyPanel | undefined;
 
-const panels = new Panels({ left: byId('dock-left'), right: byId('dock-right'), buttons: byId('panel-buttons') }, updateLayout);
-const commands = new Commands();
 const banner = new StatusBanner({
   element: byId('banner'),
   world: () => connection.welcome?.worldId ?? '',
@@ -285,12 +337,23 @@ panels.register({
   icon: 'worlds',
   side: 'left',
   async load(content) {
-    const { WorldsPanel } = await import('./panels/worlds');
-    const join = (world: string) => {
+    const { LobbyPanel } = await import('./lobby/lobby_panel');
+    const join = (world: string, name: string, joinCode: string) => {
       play(undefined);
-      joinWorld(world);
+      if (joinCode) people.joinCodes.set(name, joinCode);
+      joinWorld(world, joinCode);
     };
-    return new WorldsPanel(content, () => panels.close('worlds'), join, (text) => toasts.show(text), () => connection.welcome?.worldId ?? '', token);
+    lobby = new LobbyPanel({
+      content,
+      api: new ServerApi(token),
+      contextMenu,
+      close: () => panels.close('worlds'),
+      join,
+      joinCodeOf: (name) => people.joinCodes.get(name),
+      current: () => connection.welcome?.worldId ?? '',
+      showProblem: (text) => toasts.show(text),
+    });
+    return lobby;
   },
 });
 panels.register({
@@ -341,6 +404,8 @@ panels.register({
     return eventsPanel;
   },
 });
+sandbox.register();
+people.registerPanels();
 panels.register({
   id: 'help',
   title: 'Help',
@@ -399,6 +464,8 @@ addEventListener('blur', () => driving.blur());
 function escape(): void {
   if (contextMenu.close()) return canvas.focus();
   if (driving.entity !== 0) return driving.stopControlling();
+  if (sandbox.cancel()) return;
+  if (people.stopFollowing()) return;
   panels.closeNewest();
 }
 
@@ -441,8 +508,15 @@ addEventListener('dragover', (event) => event.preventDefault());
 addEventListener('drop', (event) => {
   event.preventDefault();
   const file = event.dataTransfer?.files[0];
-  if (file) void playRecording(file.name, file.arrayBuffer());
+  if (file?.name.endsWith('.json')) void uploadScene(file);
+  else if (file) void playRecording(file.name, file.arrayBuffer());
 });
+
+async function uploadScene(file: File): Promise<void> {
+  panels.open('worlds');
+  while (!lobby) await new Promise((resolve) => setTimeout(resolve, 50)); // until its code is loaded
+  await lobby.upload(file);
+}
 
 async function download(url: string): Promise<ArrayBuffer> {
   const response = await fetch(url);
@@ -459,8 +533,21 @@ function frameWorld(): void {
   const world = connection.welcome?.worldId;
   if (connection.state !== 'playing' || world === framedWorld || poses.count === 0) return;
   framedWorld = world;
-  camera.frame(view.extent());
+  camera.setPlanar(connection.welcome?.planar ?? false);
+  if (!showSceneView(connection.welcome?.view)) camera.frame(view.extent());
   liftAboveGround();
+}
+
+/** Returns whether the scene defines a view. Its numbers are untrusted. */
+function showSceneView(sceneView: View | undefined): boolean {
+  const { eye, target, fieldOfView = 0 } = sceneView ?? {};
+  if (!eye || !target) return false;
+  const [from, to] = [new THREE.Vector3(eye.x, eye.y, eye.z), new THREE.Vector3(target.x, target.y, target.z)];
+  const distance = from.distanceTo(to);
+  if (!(distance > 1e-3 && distance < 1e6)) return false;
+  const degrees = (fieldOfView * 180) / Math.PI;
+  camera.setView(from, to, degrees >= 5 && degrees <= 150 ? degrees : 0);
+  return true;
 }
 
 function fitView(): void {
@@ -527,6 +614,7 @@ function renderModules(rendered: RenderedChannels): void {
     decorate: (solids) => {
       if (tools.tool === 'drive' && driving.entity === 0) drawArrows(solids, controllable, poseOf, performance.now());
       inputMarks.draw(solids, tools.grab, poseOf, camera.distance, performance.now());
+      people.draw(solids, poseOf);
     },
   });
 }
@@ -561,6 +649,8 @@ function updateFrame(seconds: number): void {
   const rendered = renderedChannels();
   colorBodies(rendered);
   view.update(poses);
+  jointView.update(view);
+  sandbox.update();
   frameWorld();
   camera.update(seconds);
   renderModules(rendered);
@@ -571,6 +661,7 @@ function updateFrame(seconds: number): void {
   panels.update();
   hitMarks.update(performance.now());
   drive(seconds);
+  people.update(seconds);
   connection.setInterestFocus(camera.controls.target.x, camera.controls.target.z);
   environment.update(camera.controls.target, camera.distance, camera.planar);
   scaleBar.update(camera.viewHeight / innerHeight);
@@ -593,13 +684,15 @@ setQuality(quality);
 selectTool('drag');
 addEventListener('resize', resize);
 new ResizeObserver(updateLayout).observe(byId('bottom'));
+people.askForName();
 // Statistics cover too much of a small screen.
 if (!panels.isNarrow) panels.open('stats');
 
 if (parameters.recording) void playRecording(parameters.recording, download(parameters.recording));
-else joinWorld(parameters.world);
+else joinWorld(parameters.world, people.joinCodes.get(parameters.world));
 
 exposeInspection({
+  people,
   connection,
   view,
   moduleView,
@@ -607,6 +700,8 @@ exposeInspection({
   camera,
   driving,
   frameTimes,
+  jointView,
+  sandbox,
   stats: () => latestStats,
   qualityName: () => quality.name,
   recording: () => recorded,

@@ -234,6 +234,9 @@ public:
     std::vector<JointId> joints() const;
     /// Returns the joints of a body, sorted by id; empty for an unknown id.
     std::vector<JointId> joints_of(BodyId body) const;
+    /// Returns a revision counter. It changes when a joint is created or destroyed, also by a step.
+    /// Not saved.
+    std::uint64_t joint_revision() const;
 
     // --- motion, forces and impulses; each call wakes the body ---
     /// Teleports a body to a pose and restarts its contacts.

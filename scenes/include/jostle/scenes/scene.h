@@ -68,6 +68,14 @@ struct StreamPrecision {
     double far_factor = 0;  ///< coarser in distant cells, 1 to 1000; 0: 1
 };
 
+/// Initial view of a scene (v1::View). It does not change the simulation.
+struct SceneView {
+    physics::Vec3 eye, target;  ///< m
+    double field_of_view = 0;   ///< rad, vertical; 0: chosen by the viewer
+
+    bool operator==(const SceneView&) const = default;
+};
+
 /// A world as plain data.
 struct SceneDescription {
     std::string name;
@@ -76,6 +84,7 @@ struct SceneDescription {
     /// Steps per second, 4 to 1000 in a file; the caller that steps the world uses it.
     double hz = 60;
     StreamPrecision precision;
+    std::optional<SceneView> view;  ///< absent: chosen by the viewer
     std::vector<SceneBody> bodies;
     std::vector<SceneJoint> joints;
     std::vector<SceneModule> modules;  ///< in the order in which they are added

@@ -73,6 +73,27 @@ describe('connection', () => {
     expect(sockets[0]!.take().filter((m) => m.case === 'input').map((b) => b.value.firstSequence)).toEqual([2]);
   });
 
+  it('returns the sequence number of an input, and 0 while it is not connected', () => {
+    const release = { kind: { case: 'release' as const, value: {} } };
+    expect(connection.send(release)).toBe(0);
+    welcome();
+    expect([connection.send(release), connection.send(release)]).toEqual([1, 2]);
+  });
+
+  it('changes the name in the current world and the identity of the next one', () => {
+    welcome();
+    sockets[0]!.take();
+    connection.setIdentity('Ann', 0xff8000);
+    connection.setIdentity('Ann', 0x00ff00); // no second rename
+    vi.advanceTimersByTime(34);
+    const inputs = sockets[0]!.take().flatMap((m) => (m.case === 'input' ? m.value.inputs : []));
+    expect(inputs.map(({ kind }) => kind)).toMatchObject([{ case: 'rename', value: { name: 'Ann' } }]);
+    connection.join('den', 'sesame');
+    const socket = sockets.at(-1)!;
+    socket.onopen!();
+    expect(socket.take()[0]).toMatchObject({ case: 'hello', value: { world: 'den', joinCode: 'sesame', name: 'Ann', color: 0x00ff00 } });
+  });
+
   it('sends only the newest target of a drag', () => {
     welcome();
     sockets[0]!.take();

@@ -20,6 +20,7 @@ import { FrameBuffer, type PoseFrame } from '../interpolation/frame_buffer.js';
 import { PointObjects } from '../interpolation/point_objects.js';
 import { InputClock } from '../clock/input_clock.js';
 import { InputQueue } from './input_queue.js';
+import { JointList } from './joint_list.js';
 import { LargeShapes } from './large_shapes.js';
 import { RenderClock } from '../clock/render_clock.js';
 import { renderedTime } from '../interpolation/rendered_time.js';
@@ -41,6 +42,7 @@ import {
   type Notice,
   type PlayerEvent,
   type EntityUpdate,
+  type JointUpdate,
   type ServerMessage,
   type Snapshot,
   type UserMessage,
@@ -94,6 +96,8 @@ export interface ConnectionListener {
   inputRejected(result: InputResult): void;
   /** A message from the server for the user. */
   notice(text: string): void;
+  /** Joints were added or removed; only with ConnectionOptions.joints. */
+  joints?(joints: JointList['joints']): void;
   /** A user message of a topic that the client subscribed to, in order. */
   userMessage?(message: UserMessage): void;
   /** A player joined, left, was renamed and so on; Connection.data is up to date. */
@@ -150,6 +154,8 @@ export interface ConnectionOptions {
   readonly areaOfInterest?: AreaOfInterest | undefined;
   /** Default: the precision of the world. */
   readonly precision?: Precision | undefined;
+  /** Receives the joints of the world; default: false. */
+  readonly joints?: boolean | undefined;
   /** Display name, at most 32 bytes; default: "browser". */
   readonly name?: string | undefined;
   /** 0xRRGGBB, of the player; default: none. */
@@ -162,6 +168,8 @@ export interface ConnectionOptions {
   readonly topics?: readonly string[] | undefined;
 }
 
+const identityOf = (name = 'browser', color?: number) => ({ name, ...(color === undefined ? {} : { color }) });
+
 /** A play stream that reconnects. join() starts it, stop() ends it. */
 export class Connection {
   readonly clock = new ClockSync();
@@ -171,6 +179,8 @@ export class Connection {
   readonly renderClock = new RenderClock();
   readonly inputClock = new InputClock();
   readonly entities = new Map<number, Entity>();
+  /** Joints of the world, if requested. */
+  readonly joints = new JointList();
   /** Players and attributes that the client subscribed to. */
   readonly data = new WorldData();
   welcome: Welcome | undefined; // undefined: before the first connection
@@ -212,11 +222,12 @@ export class Connection {
   private readonly listener: ConnectionListener;
   private readonly openSocket: (url: string) => Socket;
   private readonly token: string;
-  private readonly joinCode: string;
+  private joinCode: string;
   private readonly channelKinds: readonly string[];
   private readonly areaOfInterest: AreaOfInterest | undefined;
   private readonly precision: Precision | undefined;
-  private readonly identity: { readonly name: string; readonly color?: number };
+  private readonly wantsJoints: boolean;
+  private identity: { readonly name: string; readonly color?: number };
   private readonly subscriptions: { readonly players: boolean; readonly attributes: boolean; readonly topics: string[] };
 
   constructor(options: ConnectionOptions) {
@@ -228,18 +239,31 @@ export class Connection {
     this.channelKinds = options.channelKinds ?? [];
     this.areaOfInterest = options.areaOfInterest;
     this.precision = options.precision;
-    this.identity = { name: options.name ?? 'browser', ...(options.color === undefined ? {} : { color: options.color }) };
+    this.wantsJoints = options.joints ?? false;
+    this.identity = identityOf(options.name, options.color);
     this.subscriptions = { players: options.players ?? false, attributes: options.attributes ?? false, topics: [...(options.topics ?? [])] };
   }
 
   /**
    * Leaves the current world, if any, and joins a world by id or name; empty: the server's first world.
+   * `joinCode`: of a private room; default: the last one.
    */
-  join(world: string): void {
+  join(world: string, joinCode = this.joinCode): void {
     this.stop();
     this.world = world;
+    this.joinCode = joinCode;
     this.attempt = 0;
     this.connect();
+  }
+
+  /**
+   * Changes the display name, at most 32 bytes, and the color 0xRRGGBB of the player. The name also changes in the
+   * current world; the color is that of the next world.
+   */
+  setIdentity(name: string, color?: number): void {
+    const renamed = name !== this.identity.name;
+    this.identity = identityOf(name, color);
+    if (renamed) this.send({ kind: { case: 'rename', value: { name } } });
   }
 
   /** Subscribes to events. The subscription is part of Hello, so a change rejoins the world. */
@@ -277,9 +301,12 @@ export class Connection {
     predictionListener.controlledEntity(this.controlledEntity.newest);
   }
 
-  /** Sends an input; does nothing unless the state is `playing`. */
-  send(original: Input): void {
-    if (this.state !== 'playing') return;
+  /**
+   * Sends an input; does nothing unless the state is `playing`. Returns its sequence number, which
+   * InputResult.sequence repeats; 0: not sent.
+   */
+  send(original: Input): number {
+    if (this.state !== 'playing') return 0;
     const now = nowUs();
     const tick = this.predictionListener && this.inputClock.ready ? this.inputClock.tick(now) : 0;
     const input = this.withViewTime(tick > 0 ? { ...original, tick } : original);
@@ -287,10 +314,12 @@ export class Connection {
     const last = this.inputs.last;
     if (input.kind?.case === 'drag' && last?.kind?.case === 'drag' && last.tick === input.tick) this.inputs.replaceLast(input);
     else this.inputs.push(input);
-    this.predictionListener?.input(this.inputs.newest, tick, input);
+    const sequence = this.inputs.newest;
+    this.predictionListener?.input(sequence, tick, input);
     // Waiting for the next batch would need a larger input lead. Several inputs of one tick share a batch.
     if (tick > 0 && now - this.lastBatch >= this.inputClock.halfTickUs) this.sendInputs(now);
     else if (tick === 0) this.sendSoon(now);
+    return sequence;
   }
 
   /** Sends the inputs of this task at once, unless the last batch was sent a short time ago. */
@@ -356,6 +385,7 @@ export class Connection {
       const hello = { protocol: PROTOCOL, world, ...this.identity, ...this.subscriptions, events, token, joinCode, channels, codec: NEWEST_CODEC,
         maxKbps: this.areaOfInterest?.maxKbps ?? 0,
         packedEntities: true,
+        joints: this.wantsJoints,
         ...(this.areaOfInterest ? { interest: this.interest(this.areaOfInterest) } : {}),
         ...(this.precision ? { precision: { farFactor: 1, ...this.precision } } : {}),
         resumable: true,
@@ -475,6 +505,8 @@ export class Connection {
     this.largeShapes.clear();
     this.data.clear();
     this.controlledEntity.reset();
+    this.joints.clear();
+    if (this.wantsJoints) this.listener.joints?.(this.joints.joints);
   }
 
   private onEntityList(change: EntityUpdate): void {
@@ -517,6 +549,7 @@ export class Connection {
     }
     this.decode(s);
     if (!this.points.apply(s)) this.decodeErrors++;
+    if (s.joints) this.onJoints(s.joints);
     // These are valid even if the poses could not be decoded.
     for (const result of s.clientUpdate?.results ?? [])
       if (this.inputs.onResult(result.sequence) && result.code !== InputCode.APPLIED) this.listener.inputRejected(result);
@@ -525,6 +558,11 @@ export class Connection {
     this.onData(s);
     // An ack that waits for the next batch would inflate the measured latency.
     if (this.inputs.length === 0) this.sendAckIfDue();
+  }
+
+  private onJoints(update: JointUpdate): void {
+    if (this.joints.apply(update) !== undefined) this.decodeErrors++;
+    else this.listener.joints?.(this.joints.joints);
   }
 
   private onData(s: Snapshot): void {

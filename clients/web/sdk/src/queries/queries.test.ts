@@ -34,6 +34,16 @@ it('does not repeat unsupported queries until the world changes', async () => {
   expect(requests.length).toBe(2);
 });
 
+it('inspects again after a body that does not exist', async () => {
+  const { requests, post } = server([404, '{"code":"NOT_FOUND","message":"entity 9 does not exist"}'], [200, '{"tick":3,"body":{"entity":4,"mass":2}}'], [404, 'There is no such path']);
+  const queries = new Queries(() => 'w1', post);
+  expect(await queries.inspect({ entity: 9 })).toBeUndefined();
+  expect((await queries.inspect({ entity: 4 }))!.body!.mass).toBe(2);
+  expect(requests[0]).toEqual(['api/query/Inspect', '{"world":"w1","entity":9}']);
+  for (let k = 0; k < 3; k++) expect(await queries.inspect({ joint: 1 })).toBeUndefined();
+  expect(requests.length).toBe(3);
+});
+
 it('retries after a busy server', async () => {
   const { requests, post } = server([503, 'busy'], [200, '{"tick":1}']);
   const queries = new Queries(() => 'w1', post);
@@ -70,4 +80,19 @@ it('treats malformed responses, failed requests and left worlds as no response',
 it('adds the token as a header, and no header without a token', () => {
   expect(withToken('a.b.c', { Accept: 'x' })).toEqual({ Accept: 'x', Authorization: 'Bearer a.b.c' });
   expect(withToken('')).toEqual({});
+});
+
+it('inspects an entity or a joint, and continues after one that does not exist', async () => {
+  const { requests, post } = server(
+    [404, '{"code":"NOT_FOUND","message":"entity 9 does not exist"}'],
+    [200, '{"tick":5,"joint":{"id":3,"force":12.5,"joint":{"hinge":{}}}}'],
+  );
+  const queries = new Queries(() => 'w1', post);
+  expect(await queries.inspect({ entity: 9 })).toBeUndefined();
+  const response = await queries.inspect({ joint: 3 });
+  expect(requests).toEqual([
+    ['api/query/Inspect', '{"world":"w1","entity":9}'],
+    ['api/query/Inspect', '{"world":"w1","joint":3}'],
+  ]);
+  expect(response!.joint).toMatchObject({ id: 3, force: 12.5, joint: { kind: { case: 'hinge' } } });
 });

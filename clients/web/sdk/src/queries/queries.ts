@@ -7,8 +7,11 @@ import {
   CastRaysResponseSchema,
   DebugRequestSchema,
   DebugResponseSchema,
+  InspectRequestSchema,
+  InspectResponseSchema,
   type CastRaysResponse,
   type DebugResponse,
+  type InspectResponse,
 } from '../gen/jostle/v1/query_pb.js';
 
 const QUERY_TIMEOUT_MS = 10_000; // a page without a graphics processor may be busy for seconds
@@ -19,6 +22,11 @@ const TOO_MANY = 429;
 function retryAfterMs(text: string): number {
   const { retryAfterMs } = JSON.parse(text) as { retryAfterMs?: unknown };
   return typeof retryAfterMs === 'number' ? retryAfterMs : 0;
+}
+
+/** Whether Inspect is served, but its entity or joint does not exist. */
+function isMissingTarget(method: string, text: string): boolean {
+  return method === 'Inspect' && text.startsWith('{') && (JSON.parse(text) as { code?: unknown }).code === 'NOT_FOUND';
 }
 
 export type Post = (path: string, body: string, signal: AbortSignal) => Promise<{ status: number; text(): Promise<string> }>;
@@ -53,6 +61,12 @@ export class Queries {
     return this.call('Debug', DebugRequestSchema, request, DebugResponseSchema);
   }
 
+  /** The state of an entity or joint between two ticks. Undefined also if it does not exist. */
+  inspect(target: { readonly entity: number } | { readonly joint: number }): Promise<InspectResponse | undefined> {
+    const [kind, value] = 'entity' in target ? (['entity', target.entity] as const) : (['joint', target.joint] as const);
+    return this.call('Inspect', InspectRequestSchema, { target: { case: kind, value } }, InspectResponseSchema);
+  }
+
   private async call<Request extends DescMessage, Response extends DescMessage>(
     method: string,
     requestSchema: Request,
@@ -65,8 +79,8 @@ export class Queries {
     try {
       const message = create(requestSchema, { ...request, world } as MessageInitShape<Request>);
       const response = await this.post(`api/query/${method}`, toJsonString(requestSchema, message), AbortSignal.timeout(QUERY_TIMEOUT_MS));
-      if (NOT_SERVED.includes(response.status)) this.notServed.add(key);
       const text = await response.text();
+      if (NOT_SERVED.includes(response.status) && !isMissingTarget(method, text)) this.notServed.add(key);
       if (response.status === TOO_MANY) this.notBeforeMs = performance.now() + retryAfterMs(text);
       if (response.status !== 200) return undefined;
       // The client may have left the world meanwhile.

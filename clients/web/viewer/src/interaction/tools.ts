@@ -8,11 +8,12 @@ import type { Camera } from '../camera/camera';
 import type { Connection, Input, Queries } from '@jostle/client';
 import { Throttle } from './throttle';
 import { pickPoints, type PointPick } from './pick_points';
+import { spawnTemplate, type SpawnKind, type SpawnOptions } from '../sandbox/spawn_options';
 import { pickFromServer, pickRendered, choosePick, type Pick } from './pick';
 import type { SceneView } from '../scene/scene_view';
 import type { ToolDefinition } from '../ui/toolbar';
 
-export type Tool = 'drag' | 'throw' | 'box' | 'sphere' | 'capsule' | 'explode' | 'cut' | 'delete' | 'drive';
+export type Tool = 'drag' | 'throw' | 'box' | 'sphere' | 'capsule' | 'explode' | 'cut' | 'delete' | 'drive' | 'joint' | 'inspect';
 
 export const TOOLS: readonly ToolDefinition<Tool>[] = [
   { tool: 'drag', key: '1', label: 'Drag', hint: 'Drag a body, a rope or cloth; drag the ground to turn the camera', icon: 'drag' },
@@ -24,6 +25,8 @@ export const TOOLS: readonly ToolDefinition<Tool>[] = [
   { tool: 'delete', key: '7', label: 'Delete', hint: 'Click a body that you spawned to delete it', icon: 'delete' },
   { tool: 'drive', key: '8', label: 'Drive', hint: 'Click a controllable entity to drive it; Esc releases it', icon: 'drive' },
   { tool: 'cut', key: '9', label: 'Cut', hint: 'Click a rope or cloth to cut it', icon: 'cut' },
+  { tool: 'joint', key: 'j', label: 'Joint', hint: 'Click two points to join their bodies; Build chooses the kind', icon: 'joint' },
+  { tool: 'inspect', key: '0', label: 'Inspect', hint: 'Click a body or a joint to inspect it', icon: 'inspect' },
 ];
 
 const THROW_SPEED = 18; // m/s
@@ -70,6 +73,9 @@ export interface ToolsOptions {
   /** Called with the body under the pointer. */
   onHover(hit: Pick | undefined): void;
   takeControl(entity: number): void;
+  readonly spawnOptions: SpawnOptions;
+  /** A click of the tools for joints and of the inspector. */
+  onSandboxClick(tool: 'joint' | 'inspect', hit: Pick | undefined, ray: THREE.Ray): void;
   /** Called when an explosion starts. */
   onExplosion(x: number, y: number, z: number, radius: number): void;
   /** Called when a body is spawned, before the server adds it. */
@@ -308,17 +314,13 @@ export class Tools {
     if (press.points && tool === 'cut') return this.send({ case: 'cut', value: { object: press.points.object, point: xyz(press.points.point) } });
     if (press.points && tool === 'explode') return this.explode(press.points.point);
     const hit = choosePick(press.rendered, await withTimeout(press.fromServer), this.isMoving) ?? this.planarHit(press.raycaster);
+    if (tool === 'inspect' || (tool === 'joint' && hit)) return this.options.onSandboxClick(tool, hit, press.raycaster.ray);
     if (!hit) return;
     switch (tool) {
       case 'box':
-        return this.spawn(hit, 0.35, {
-          case: 'box',
-          value: { halfExtents: { x: 0.35, y: 0.35, z: 0.35 } },
-        });
       case 'sphere':
-        return this.spawn(hit, 0.35, { case: 'sphere', value: { radius: 0.35 } });
       case 'capsule':
-        return this.spawn(hit, 0.6, { case: 'capsule', value: { radius: 0.22, halfLength: 0.35 } });
+        return this.spawn(hit, tool);
       case 'explode':
         return this.explode(hit.point);
       case 'delete':
@@ -342,15 +344,12 @@ export class Tools {
     this.send({ case: 'explode', value: { center: xyz(point), radius: BLAST_RADIUS, speed: 12 } });
   }
 
-  private spawn(
-    hit: Pick,
-    reach: number,
-    kind: NonNullable<NonNullable<Extract<Input['kind'], { case: 'spawn' }>['value']>['shape']>['kind'],
-  ): void {
+  private spawn(hit: Pick, kind: SpawnKind): void {
+    const { shape, color, reach } = spawnTemplate(kind, this.options.spawnOptions);
     const position = hit.point.clone().addScaledVector(hit.normal, reach + 0.02);
     if (this.camera.planar) position.z = 0;
     this.options.onSpawn(position, reach);
-    this.send({ case: 'spawn', value: { shape: { kind: kind! }, position: xyz(position) } });
+    this.send({ case: 'spawn', value: { shape, position: xyz(position), ...(color === undefined ? {} : { color }) } });
   }
 
   private throwBall(raycaster: THREE.Raycaster): void {

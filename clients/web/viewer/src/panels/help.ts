@@ -46,7 +46,7 @@ function section(title: string, rows: readonly (readonly [string, string])[], as
 export function helpPanel(content: HTMLElement, tools: readonly ToolDefinition[], commands: readonly Command[]): PanelContent {
   const touch = matchMedia('(pointer: coarse)').matches;
   const keys = commands.filter(({ key }) => !tools.some((tool) => tool.key === key)).map(({ key, label }) => [key.length === 1 ? key.toUpperCase() : key, label] as const);
-  const toolRows = tools.map(({ key, label, hint }) => (touch ? [label, hint.replace('Click', 'Tap').replace('; Esc releases it', '')] : [`${key} ${label}`, hint]) as [string, string]);
+  const toolRows = tools.map(({ key, label, hint }) => (touch ? [label, hint.replace('Click', 'Tap').replace('; Esc releases it', '')] : [`${key.toUpperCase()} ${label}`, hint]) as [string, string]);
   content.append(
     ...(touch ? section('Touch', TOUCH, false) : []),
     ...section('Tools', toolRows, false),

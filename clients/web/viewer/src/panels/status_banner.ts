@@ -5,6 +5,8 @@ import { withToken, type ConnectionState } from '@jostle/client';
 import type { WorldStats } from '@jostle/client/gen/play_pb';
 
 const BEHIND_BELOW = 0.95; // time scale
+const TIME_SCALE_MS = 5000; // over which the server measures the time scale
+const BY_MEMBER = 'by '; // begins the cause of a pause by a member of the room
 const RESUMED_MS = 5000; // how long the banner of a resumed connection is shown
 
 export type BannerAction = 'resume' | 'reconnect' | 'worlds';
@@ -30,6 +32,15 @@ const sentence = (text: string) => {
   return /[.!?…]$/.test(first) ? first : `${first}.`;
 };
 
+/**
+ * The share of the speed that the members of a room chose, which is no overload. `settled`: the speed has not changed
+ * while the time scale was measured.
+ */
+export function shareOfSpeed(timeScale: number, speedPercent: number, settled: boolean): number {
+  if (!settled) return 1;
+  return speedPercent > 0 && speedPercent < 100 ? Math.min(1, timeScale / (speedPercent / 100)) : timeScale;
+}
+
 /** undefined: the world runs. */
 export function bannerOf({ connection, reason, hasPlayed, stats, mayResume, reconnected }: WorldStatus): Banner | undefined {
   if (connection === 'stopped') {
@@ -39,6 +50,8 @@ export function bannerOf({ connection, reason, hasPlayed, stats, mayResume, reco
     return { kind: 'disconnected', text: sentence(reason || 'the connection was lost'), advice: 'The viewer tries again automatically. Check your network if this takes longer.', action: 'reconnect' };
   if (connection === 'connecting')
     return hasPlayed ? { kind: 'disconnected', text: 'Reconnecting …', advice: 'The world is shown as it was when the connection was lost.' } : undefined;
+  if (stats?.paused.startsWith(BY_MEMBER))
+    return { kind: 'paused', text: sentence(`This world is paused ${stats.paused}`), advice: 'Members who may pause it can resume and step it in the panel Time.' };
   if (stats?.paused) {
     const text = `This world is paused: ${stats.paused}`;
     return mayResume
@@ -74,6 +87,8 @@ export class StatusBanner {
   private readonly button = document.createElement('button');
   private status: WorldStatus = { connection: 'stopped', reason: '', hasPlayed: false, stats: undefined, mayResume: false, reconnected: undefined };
   private asked = ''; // the world whose permission was requested during this pause
+  private speedPercent: number | undefined; // undefined: no statistics yet
+  private speedChangedMs = -Infinity;
   private shown: Banner | undefined;
 
   constructor(private readonly options: StatusBannerOptions) {
@@ -104,13 +119,18 @@ export class StatusBanner {
   }
 
   /** Called with each statistics message; undefined: a recording is played. */
-  setStats(stats: Pick<WorldStats, 'paused' | 'timeScale'> | undefined): void {
+  setStats(stats: Pick<WorldStats, 'paused' | 'timeScale' | 'speedPercent'> | undefined): void {
     if (!stats?.paused) this.asked = '';
     else if (this.asked !== this.options.world()) {
       this.asked = this.options.world();
       void this.request('GET').then((mayResume) => this.update({ mayResume }));
     }
-    this.update({ stats });
+    if (!stats) return this.update({ stats });
+    const { paused, timeScale, speedPercent } = stats;
+    const now = performance.now();
+    if (this.speedPercent !== undefined && speedPercent !== this.speedPercent) this.speedChangedMs = now;
+    this.speedPercent = speedPercent;
+    this.update({ stats: { paused, timeScale: shareOfSpeed(timeScale, speedPercent, now - this.speedChangedMs > TIME_SCALE_MS + 500) } });
   }
 
   private update(change: Partial<WorldStatus>): void {

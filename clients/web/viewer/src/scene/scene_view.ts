@@ -23,7 +23,7 @@ interface RenderedEntity {
   readonly parts: readonly Part[];
   readonly color: number;
   readonly pose: Float64Array; // NaN until the first rendered frame
-  readonly radius: number; // m, half the smallest extent of its parts
+  readonly radius: number; // m, mean radius of its smallest part
   asleep: boolean | undefined; // as colored; undefined: to be colored
 }
 
@@ -127,7 +127,7 @@ export class SceneView {
         const instances = this.instancesFor(part, surface);
         if (!instances) continue;
         parts.push({ instances, slot: instances.acquire(entity.id, number), local: part.local });
-        radius = Math.min(radius, halfExtent(instances.mesh.geometry, part.local));
+        radius = Math.min(radius, meanRadius(instances.mesh.geometry, part.local));
       }
     });
     const pose = new Float64Array(POSE_FLOATS).fill(NaN);
@@ -210,7 +210,7 @@ export class SceneView {
     return pose && !Number.isNaN(pose[0]!) ? pose : undefined;
   }
 
-  /** Half the smallest extent of a body in m; undefined: it has no parts. */
+  /** Mean radius of the smallest part of a body in m; undefined: it has no parts. */
   radiusOf(id: number): number | undefined {
     const radius = this.rendered.get(id)?.radius;
     return radius !== undefined && radius < Infinity ? radius : undefined;
@@ -267,11 +267,12 @@ function boxOfParts(parts: readonly Part[], widthMax: number): THREE.Box3 {
   return box;
 }
 
-function halfExtent(geometry: THREE.BufferGeometry, local: THREE.Matrix4): number {
+/** Geometric mean of the half extents, m. */
+function meanRadius(geometry: THREE.BufferGeometry, local: THREE.Matrix4): number {
   geometry.boundingBox ?? geometry.computeBoundingBox();
   const size = geometry.boundingBox!.getSize(vector);
   const scale = new THREE.Vector3().setFromMatrixScale(local);
-  return Math.min(size.x * scale.x, size.y * scale.y, size.z * scale.z) / 2;
+  return Math.cbrt(size.x * scale.x * size.y * scale.y * size.z * scale.z) / 2;
 }
 
 function surfaceOf({ type, mass }: Entity, trigger: boolean): Surface {

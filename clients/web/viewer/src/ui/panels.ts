@@ -20,6 +20,8 @@ export interface PanelDefinition {
   readonly side: 'left' | 'right';
   /** Only narrow screens have a button for it. */
   readonly narrowOnly?: boolean;
+  /** Its button on wide screens shows only the icon. */
+  readonly compact?: boolean;
   load(content: HTMLElement): Promise<PanelContent>;
 }
 
@@ -76,7 +78,7 @@ export class Panels {
     section.append(head, body);
     this.places[side].append(section);
     this.resizes.observe(section);
-    const button = iconButton(definition.icon, title, title);
+    const button = iconButton(definition.icon, title, definition.compact ? '' : title);
     button.title = key ? `${hint} (${key.toUpperCase()})` : hint;
     button.classList.toggle('narrow-only', definition.narrowOnly ?? false);
     button.setAttribute('aria-expanded', 'false');

@@ -22,9 +22,9 @@ export class Toolbar<Id extends string> {
       const button = iconButton(icon, label, label);
       button.removeAttribute('aria-label'); // the text is its name
       button.dataset['tool'] = tool;
-      button.title = `${hint} (${key})`;
+      button.title = `${hint} (${key.toUpperCase()})`;
       const keyText = document.createElement('kbd');
-      keyText.textContent = key;
+      keyText.textContent = key.toUpperCase();
       keyText.setAttribute('aria-hidden', 'true');
       button.append(keyText);
       button.onclick = () => select(tool);

@@ -42,6 +42,8 @@ struct ClientOptions {
     /// Channel kinds to subscribe to (WorldView::channels() and points()); "*": all kinds of
     /// modules; "points:*": all kinds with point objects. The server sends no other kinds.
     std::vector<std::string> channels = {};
+    /// Receives the joints of the world: WorldView::joints().
+    bool joints = false;
     bool players = false;     ///< subscribes to the player list: WorldView::data()
     bool attributes = false;  ///< subscribes to attributes: WorldView::data()
     /// Topics of user messages to subscribe to, at most 64: Client::take_messages(); "*": all.

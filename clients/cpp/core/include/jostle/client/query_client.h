@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Spatial queries of a world on a server: ray casts, overlaps and closest points. Each call blocks
-// for up to 5 s. Errors contain the server's message. Any thread.
+// Queries of a world on a server: ray casts, overlaps, closest points and inspections. Each call
+// blocks for up to 5 s. Errors contain the server's message. Any thread.
 //
 //     client::QueryClient queries("localhost:50051", "sandbox");
 //     const auto hit = queries.cast_ray({0, 10, 0}, {0, -20, 0});
@@ -87,6 +87,10 @@ public:
     /// Returns the closest surface point within `max_distance` (m), if any.
     Result<QueryResult<std::optional<ClosestPointHit>>> closest_point(
         Point point, double max_distance, const QueryOptions& options = {});
+    /// Returns the complete state of an entity.
+    Result<QueryResult<v1::InspectedBody>> inspect_entity(std::uint32_t entity);
+    /// Returns the complete state of a joint (JointInfo.id).
+    Result<QueryResult<v1::InspectedJoint>> inspect_joint(std::uint32_t joint);
 
 private:
     struct Impl;

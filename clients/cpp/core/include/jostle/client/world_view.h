@@ -15,6 +15,7 @@
 #include <vector>
 
 #include "jostle/base/result.h"
+#include "jostle/client/joint_list.h"
 #include "jostle/client/point_objects.h"
 #include "jostle/client/world_data.h"
 #include "jostle/snapshot/channel_codec.h"
@@ -101,6 +102,10 @@ public:
     PointObjects& points() { return points_; }
     const PointObjects& points() const { return points_; }
 
+    /// Applies the joints of a snapshot, which are valid even if its poses cannot be decoded.
+    Status apply(const v1::JointUpdate& update) { return joints_.apply(update); }
+    /// Joints by id, if ClientOptions::joints is set.
+    const std::map<std::uint32_t, ListedJoint>& joints() const { return joints_.joints(); }
     /// Players and attributes.
     const WorldData& data() const { return data_; }
 
@@ -141,6 +146,7 @@ private:
     std::map<std::uint32_t, v1::Entity> entities_;
     std::map<std::uint64_t, v1::Shape> geometry_;  // chunked shapes, by id
     PointObjects points_;
+    JointList joints_;
     WorldData data_;
     ControlledEntityState controlled_entity_;
     struct PartialGeometry {

@@ -19,9 +19,11 @@
 
 import type { GenEnum, GenFile, GenMessage, GenService } from "@bufbuild/protobuf/codegenv2";
 import { enumDesc, fileDesc, messageDesc, serviceDesc } from "@bufbuild/protobuf/codegenv2";
-import type { Vec3, ViewTime } from "./common_pb.js";
+import type { Quat, Vec3, ViewTime } from "./common_pb.js";
 import { file_jostle_v1_common } from "./common_pb.js";
-import type { Shape } from "./scene_pb.js";
+import type { Attribute } from "./play_pb.js";
+import { file_jostle_v1_play } from "./play_pb.js";
+import type { BodyType, Joint, Shape } from "./scene_pb.js";
 import { file_jostle_v1_scene } from "./scene_pb.js";
 import type { Message } from "@bufbuild/protobuf";
 
@@ -29,7 +31,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file jostle/v1/query.proto.
  */
 export const file_jostle_v1_query: GenFile = /*@__PURE__*/
-  fileDesc("ChVqb3N0bGUvdjEvcXVlcnkucHJvdG8SCWpvc3RsZS52MSJ8CgtRdWVyeUZpbHRlchIXCgpjYXRlZ29yaWVzGAEgASgNSACIAQESGAoQaW5jbHVkZV90cmlnZ2VycxgCIAEoCBIOCgZpZ25vcmUYAyABKA0SGwoTaW5jbHVkZV9kZWZvcm1hYmxlcxgEIAEoCEINCgtfY2F0ZWdvcmllcyJHCgNSYXkSHwoGb3JpZ2luGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSHwoGbW90aW9uGAIgASgLMg8uam9zdGxlLnYxLlZlYzMisAEKD0Nhc3RSYXlzUmVxdWVzdBINCgV3b3JsZBgBIAEoCRIcCgRyYXlzGAIgAygLMg4uam9zdGxlLnYxLlJheRIgCgRtb2RlGAMgASgOMhIuam9zdGxlLnYxLkhpdE1vZGUSJgoGZmlsdGVyGAQgASgLMhYuam9zdGxlLnYxLlF1ZXJ5RmlsdGVyEiYKCXZpZXdfdGltZRgFIAEoCzITLmpvc3RsZS52MS5WaWV3VGltZSJaChBDYXN0UmF5c1Jlc3BvbnNlEgwKBHRpY2sYASABKA0SHQoEcmF5cxgCIAMoCzIPLmpvc3RsZS52MS5IaXRzEhkKEXZpZXdfdGltZV9jbGFtcGVkGAMgASgIIiQKBEhpdHMSHAoEaGl0cxgBIAMoCzIOLmpvc3RsZS52MS5IaXQihwEKA0hpdBIOCgZlbnRpdHkYASABKA0SEAoIZnJhY3Rpb24YAiABKAESHgoFcG9pbnQYAyABKAsyDy5qb3N0bGUudjEuVmVjMxIfCgZub3JtYWwYBCABKAsyDy5qb3N0bGUudjEuVmVjMxINCgVzaGFwZRgFIAEoDRIOCgZvYmplY3QYBiABKA0ivAEKEUNhc3RTaGFwZXNSZXF1ZXN0Eg0KBXdvcmxkGAEgASgJEiYKBnNoYXBlcxgCIAMoCzIWLmpvc3RsZS52MS5Nb3ZpbmdTaGFwZRIgCgRtb2RlGAMgASgOMhIuam9zdGxlLnYxLkhpdE1vZGUSJgoGZmlsdGVyGAQgASgLMhYuam9zdGxlLnYxLlF1ZXJ5RmlsdGVyEiYKCXZpZXdfdGltZRgFIAEoCzITLmpvc3RsZS52MS5WaWV3VGltZSJPCgtNb3ZpbmdTaGFwZRIfCgVzaGFwZRgBIAEoCzIQLmpvc3RsZS52MS5TaGFwZRIfCgZtb3Rpb24YAiABKAsyDy5qb3N0bGUudjEuVmVjMyJeChJDYXN0U2hhcGVzUmVzcG9uc2USDAoEdGljaxgBIAEoDRIfCgZzaGFwZXMYAiADKAsyDy5qb3N0bGUudjEuSGl0cxIZChF2aWV3X3RpbWVfY2xhbXBlZBgDIAEoCCK8AQoOT3ZlcmxhcFJlcXVlc3QSDQoFd29ybGQYASABKAkSIQoFc2hhcGUYAiABKAsyEC5qb3N0bGUudjEuU2hhcGVIABIgCgVwb2ludBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzSAASJgoGZmlsdGVyGAQgASgLMhYuam9zdGxlLnYxLlF1ZXJ5RmlsdGVyEiYKCXZpZXdfdGltZRgFIAEoCzITLmpvc3RsZS52MS5WaWV3VGltZUIGCgR3aGF0Il0KD092ZXJsYXBSZXNwb25zZRIMCgR0aWNrGAEgASgNEhAKCGVudGl0aWVzGAIgAygNEhkKEXZpZXdfdGltZV9jbGFtcGVkGAMgASgIEg8KB29iamVjdHMYBCADKA0irAEKFENsb3Nlc3RQb2ludHNSZXF1ZXN0Eg0KBXdvcmxkGAEgASgJEh8KBnBvaW50cxgCIAMoCzIPLmpvc3RsZS52MS5WZWMzEhQKDG1heF9kaXN0YW5jZRgDIAEoARImCgZmaWx0ZXIYBCABKAsyFi5qb3N0bGUudjEuUXVlcnlGaWx0ZXISJgoJdmlld190aW1lGAUgASgLMhMuam9zdGxlLnYxLlZpZXdUaW1lImkKFUNsb3Nlc3RQb2ludHNSZXNwb25zZRIMCgR0aWNrGAEgASgNEicKBnBvaW50cxgCIAMoCzIXLmpvc3RsZS52MS5DbG9zZXN0UG9pbnQSGQoRdmlld190aW1lX2NsYW1wZWQYAyABKAgigQEKDENsb3Nlc3RQb2ludBIOCgZlbnRpdHkYASABKA0SEAoIZGlzdGFuY2UYAiABKAESHgoFcG9pbnQYAyABKAsyDy5qb3N0bGUudjEuVmVjMxIfCgZub3JtYWwYBCABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZvYmplY3QYBSABKA0idQoMRGVidWdSZXF1ZXN0Eg0KBXdvcmxkGAEgASgJEhAKCGNvbnRhY3RzGAIgASgIEg8KB2lzbGFuZHMYAyABKAgSDgoGYm91bmRzGAQgASgIEg4KBmpvaW50cxgFIAEoCBITCgticm9hZF9waGFzZRgGIAEoCCL6AQoNRGVidWdSZXNwb25zZRIMCgR0aWNrGAEgASgNEikKCGNvbnRhY3RzGAIgAygLMhcuam9zdGxlLnYxLkRlYnVnQ29udGFjdBInCgdpc2xhbmRzGAMgAygLMhYuam9zdGxlLnYxLkRlYnVnSXNsYW5kEiMKBmJvdW5kcxgEIAMoCzITLmpvc3RsZS52MS5EZWJ1Z0JveBIlCgZqb2ludHMYBSADKAsyFS5qb3N0bGUudjEuRGVidWdKb2ludBIoCgticm9hZF9waGFzZRgGIAMoCzITLmpvc3RsZS52MS5EZWJ1Z0JveBIRCgl0cnVuY2F0ZWQYByABKAgihgEKDERlYnVnQ29udGFjdBIeCgVwb2ludBgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEh8KBm5vcm1hbBgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEhIKCnNlcGFyYXRpb24YAyABKAESDwoHaW1wdWxzZRgEIAEoARIQCgh0b3VjaGluZxgFIAEoCCIvCgtEZWJ1Z0lzbGFuZBIQCghlbnRpdGllcxgBIAMoDRIOCgZhc2xlZXAYAiABKAgiRwoIRGVidWdCb3gSHAoDbG93GAEgASgLMg8uam9zdGxlLnYxLlZlYzMSHQoEaGlnaBgCIAEoCzIPLmpvc3RsZS52MS5WZWMzIoQBCgpEZWJ1Z0pvaW50EhAKCGVudGl0eV9hGAEgASgNEhAKCGVudGl0eV9iGAIgASgNEiEKCGFuY2hvcl9hGAMgASgLMg8uam9zdGxlLnYxLlZlYzMSIQoIYW5jaG9yX2IYBCABKAsyDy5qb3N0bGUudjEuVmVjMxIMCgRraW5kGAUgASgJKl0KB0hpdE1vZGUSGAoUSElUX01PREVfVU5TUEVDSUZJRUQQABIUChBISVRfTU9ERV9DTE9TRVNUEAESEAoMSElUX01PREVfQU5ZEAISEAoMSElUX01PREVfQUxMEAMy8AIKDFF1ZXJ5U2VydmljZRJDCghDYXN0UmF5cxIaLmpvc3RsZS52MS5DYXN0UmF5c1JlcXVlc3QaGy5qb3N0bGUudjEuQ2FzdFJheXNSZXNwb25zZRJJCgpDYXN0U2hhcGVzEhwuam9zdGxlLnYxLkNhc3RTaGFwZXNSZXF1ZXN0Gh0uam9zdGxlLnYxLkNhc3RTaGFwZXNSZXNwb25zZRJACgdPdmVybGFwEhkuam9zdGxlLnYxLk92ZXJsYXBSZXF1ZXN0Ghouam9zdGxlLnYxLk92ZXJsYXBSZXNwb25zZRJSCg1DbG9zZXN0UG9pbnRzEh8uam9zdGxlLnYxLkNsb3Nlc3RQb2ludHNSZXF1ZXN0GiAuam9zdGxlLnYxLkNsb3Nlc3RQb2ludHNSZXNwb25zZRI6CgVEZWJ1ZxIXLmpvc3RsZS52MS5EZWJ1Z1JlcXVlc3QaGC5qb3N0bGUudjEuRGVidWdSZXNwb25zZWIGcHJvdG8z", [file_jostle_v1_common, file_jostle_v1_scene]);
+  fileDesc("ChVqb3N0bGUvdjEvcXVlcnkucHJvdG8SCWpvc3RsZS52MSJ8CgtRdWVyeUZpbHRlchIXCgpjYXRlZ29yaWVzGAEgASgNSACIAQESGAoQaW5jbHVkZV90cmlnZ2VycxgCIAEoCBIOCgZpZ25vcmUYAyABKA0SGwoTaW5jbHVkZV9kZWZvcm1hYmxlcxgEIAEoCEINCgtfY2F0ZWdvcmllcyJHCgNSYXkSHwoGb3JpZ2luGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSHwoGbW90aW9uGAIgASgLMg8uam9zdGxlLnYxLlZlYzMisAEKD0Nhc3RSYXlzUmVxdWVzdBINCgV3b3JsZBgBIAEoCRIcCgRyYXlzGAIgAygLMg4uam9zdGxlLnYxLlJheRIgCgRtb2RlGAMgASgOMhIuam9zdGxlLnYxLkhpdE1vZGUSJgoGZmlsdGVyGAQgASgLMhYuam9zdGxlLnYxLlF1ZXJ5RmlsdGVyEiYKCXZpZXdfdGltZRgFIAEoCzITLmpvc3RsZS52MS5WaWV3VGltZSJaChBDYXN0UmF5c1Jlc3BvbnNlEgwKBHRpY2sYASABKA0SHQoEcmF5cxgCIAMoCzIPLmpvc3RsZS52MS5IaXRzEhkKEXZpZXdfdGltZV9jbGFtcGVkGAMgASgIIiQKBEhpdHMSHAoEaGl0cxgBIAMoCzIOLmpvc3RsZS52MS5IaXQihwEKA0hpdBIOCgZlbnRpdHkYASABKA0SEAoIZnJhY3Rpb24YAiABKAESHgoFcG9pbnQYAyABKAsyDy5qb3N0bGUudjEuVmVjMxIfCgZub3JtYWwYBCABKAsyDy5qb3N0bGUudjEuVmVjMxINCgVzaGFwZRgFIAEoDRIOCgZvYmplY3QYBiABKA0ivAEKEUNhc3RTaGFwZXNSZXF1ZXN0Eg0KBXdvcmxkGAEgASgJEiYKBnNoYXBlcxgCIAMoCzIWLmpvc3RsZS52MS5Nb3ZpbmdTaGFwZRIgCgRtb2RlGAMgASgOMhIuam9zdGxlLnYxLkhpdE1vZGUSJgoGZmlsdGVyGAQgASgLMhYuam9zdGxlLnYxLlF1ZXJ5RmlsdGVyEiYKCXZpZXdfdGltZRgFIAEoCzITLmpvc3RsZS52MS5WaWV3VGltZSJPCgtNb3ZpbmdTaGFwZRIfCgVzaGFwZRgBIAEoCzIQLmpvc3RsZS52MS5TaGFwZRIfCgZtb3Rpb24YAiABKAsyDy5qb3N0bGUudjEuVmVjMyJeChJDYXN0U2hhcGVzUmVzcG9uc2USDAoEdGljaxgBIAEoDRIfCgZzaGFwZXMYAiADKAsyDy5qb3N0bGUudjEuSGl0cxIZChF2aWV3X3RpbWVfY2xhbXBlZBgDIAEoCCK8AQoOT3ZlcmxhcFJlcXVlc3QSDQoFd29ybGQYASABKAkSIQoFc2hhcGUYAiABKAsyEC5qb3N0bGUudjEuU2hhcGVIABIgCgVwb2ludBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzSAASJgoGZmlsdGVyGAQgASgLMhYuam9zdGxlLnYxLlF1ZXJ5RmlsdGVyEiYKCXZpZXdfdGltZRgFIAEoCzITLmpvc3RsZS52MS5WaWV3VGltZUIGCgR3aGF0Il0KD092ZXJsYXBSZXNwb25zZRIMCgR0aWNrGAEgASgNEhAKCGVudGl0aWVzGAIgAygNEhkKEXZpZXdfdGltZV9jbGFtcGVkGAMgASgIEg8KB29iamVjdHMYBCADKA0irAEKFENsb3Nlc3RQb2ludHNSZXF1ZXN0Eg0KBXdvcmxkGAEgASgJEh8KBnBvaW50cxgCIAMoCzIPLmpvc3RsZS52MS5WZWMzEhQKDG1heF9kaXN0YW5jZRgDIAEoARImCgZmaWx0ZXIYBCABKAsyFi5qb3N0bGUudjEuUXVlcnlGaWx0ZXISJgoJdmlld190aW1lGAUgASgLMhMuam9zdGxlLnYxLlZpZXdUaW1lImkKFUNsb3Nlc3RQb2ludHNSZXNwb25zZRIMCgR0aWNrGAEgASgNEicKBnBvaW50cxgCIAMoCzIXLmpvc3RsZS52MS5DbG9zZXN0UG9pbnQSGQoRdmlld190aW1lX2NsYW1wZWQYAyABKAgigQEKDENsb3Nlc3RQb2ludBIOCgZlbnRpdHkYASABKA0SEAoIZGlzdGFuY2UYAiABKAESHgoFcG9pbnQYAyABKAsyDy5qb3N0bGUudjEuVmVjMxIfCgZub3JtYWwYBCABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZvYmplY3QYBSABKA0idQoMRGVidWdSZXF1ZXN0Eg0KBXdvcmxkGAEgASgJEhAKCGNvbnRhY3RzGAIgASgIEg8KB2lzbGFuZHMYAyABKAgSDgoGYm91bmRzGAQgASgIEg4KBmpvaW50cxgFIAEoCBITCgticm9hZF9waGFzZRgGIAEoCCL6AQoNRGVidWdSZXNwb25zZRIMCgR0aWNrGAEgASgNEikKCGNvbnRhY3RzGAIgAygLMhcuam9zdGxlLnYxLkRlYnVnQ29udGFjdBInCgdpc2xhbmRzGAMgAygLMhYuam9zdGxlLnYxLkRlYnVnSXNsYW5kEiMKBmJvdW5kcxgEIAMoCzITLmpvc3RsZS52MS5EZWJ1Z0JveBIlCgZqb2ludHMYBSADKAsyFS5qb3N0bGUudjEuRGVidWdKb2ludBIoCgticm9hZF9waGFzZRgGIAMoCzITLmpvc3RsZS52MS5EZWJ1Z0JveBIRCgl0cnVuY2F0ZWQYByABKAgihgEKDERlYnVnQ29udGFjdBIeCgVwb2ludBgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEh8KBm5vcm1hbBgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEhIKCnNlcGFyYXRpb24YAyABKAESDwoHaW1wdWxzZRgEIAEoARIQCgh0b3VjaGluZxgFIAEoCCIvCgtEZWJ1Z0lzbGFuZBIQCghlbnRpdGllcxgBIAMoDRIOCgZhc2xlZXAYAiABKAgiRwoIRGVidWdCb3gSHAoDbG93GAEgASgLMg8uam9zdGxlLnYxLlZlYzMSHQoEaGlnaBgCIAEoCzIPLmpvc3RsZS52MS5WZWMzIoQBCgpEZWJ1Z0pvaW50EhAKCGVudGl0eV9hGAEgASgNEhAKCGVudGl0eV9iGAIgASgNEiEKCGFuY2hvcl9hGAMgASgLMg8uam9zdGxlLnYxLlZlYzMSIQoIYW5jaG9yX2IYBCABKAsyDy5qb3N0bGUudjEuVmVjMxIMCgRraW5kGAUgASgJIkwKDkluc3BlY3RSZXF1ZXN0Eg0KBXdvcmxkGAEgASgJEhAKBmVudGl0eRgCIAEoDUgAEg8KBWpvaW50GAMgASgNSABCCAoGdGFyZ2V0InEKD0luc3BlY3RSZXNwb25zZRIMCgR0aWNrGAEgASgNEiYKBGJvZHkYAiABKAsyGC5qb3N0bGUudjEuSW5zcGVjdGVkQm9keRIoCgVqb2ludBgDIAEoCzIZLmpvc3RsZS52MS5JbnNwZWN0ZWRKb2ludCL0BQoNSW5zcGVjdGVkQm9keRIOCgZlbnRpdHkYASABKA0SDAoEbmFtZRgCIAEoCRIhCgR0eXBlGAMgASgOMhMuam9zdGxlLnYxLkJvZHlUeXBlEg0KBW93bmVyGAQgASgNEiEKCHBvc2l0aW9uGAUgASgLMg8uam9zdGxlLnYxLlZlYzMSIQoIcm90YXRpb24YBiABKAsyDy5qb3N0bGUudjEuUXVhdBIoCg9saW5lYXJfdmVsb2NpdHkYByABKAsyDy5qb3N0bGUudjEuVmVjMxIpChBhbmd1bGFyX3ZlbG9jaXR5GAggASgLMg8uam9zdGxlLnYxLlZlYzMSDAoEbWFzcxgJIAEoARInCg5jZW50ZXJfb2ZfbWFzcxgKIAEoCzIPLmpvc3RsZS52MS5WZWMzEiIKCWluZXJ0aWFfeBgLIAEoCzIPLmpvc3RsZS52MS5WZWMzEiIKCWluZXJ0aWFfeRgMIAEoCzIPLmpvc3RsZS52MS5WZWMzEiIKCWluZXJ0aWFfehgNIAEoCzIPLmpvc3RsZS52MS5WZWMzEhUKDWdyYXZpdHlfc2NhbGUYDiABKAESFgoOa2luZXRpY19lbmVyZ3kYDyABKAESDgoGYXNsZWVwGBAgASgIEg4KBmZyb3plbhgRIAEoCBIOCgZpc2xhbmQYEiABKA0SFQoNaXNsYW5kX2JvZGllcxgTIAEoDRIvCgltYXRlcmlhbHMYFCADKAsyHC5qb3N0bGUudjEuSW5zcGVjdGVkTWF0ZXJpYWwSLQoIY29udGFjdHMYFSADKAsyGy5qb3N0bGUudjEuSW5zcGVjdGVkQ29udGFjdBIVCg1jb250YWN0X2NvdW50GBYgASgNEikKBmpvaW50cxgXIAMoCzIZLmpvc3RsZS52MS5JbnNwZWN0ZWRKb2ludBITCgtqb2ludF9jb3VudBgYIAEoDRIoCgphdHRyaWJ1dGVzGBkgAygLMhQuam9zdGxlLnYxLkF0dHJpYnV0ZSJLChFJbnNwZWN0ZWRNYXRlcmlhbBIPCgdkZW5zaXR5GAEgASgBEhAKCGZyaWN0aW9uGAIgASgBEhMKC3Jlc3RpdHV0aW9uGAMgASgBIpkBChBJbnNwZWN0ZWRDb250YWN0Eg4KBmVudGl0eRgBIAEoDRINCgVzaGFwZRgCIAEoDRITCgtvdGhlcl9zaGFwZRgDIAEoDRIfCgZub3JtYWwYBCABKAsyDy5qb3N0bGUudjEuVmVjMxIwCgZwb2ludHMYBSADKAsyIC5qb3N0bGUudjEuSW5zcGVjdGVkQ29udGFjdFBvaW50IlwKFUluc3BlY3RlZENvbnRhY3RQb2ludBIeCgVwb2ludBgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEhIKCnNlcGFyYXRpb24YAiABKAESDwoHaW1wdWxzZRgDIAEoASLpAQoOSW5zcGVjdGVkSm9pbnQSCgoCaWQYASABKA0SEAoIZW50aXR5X2EYAiABKA0SEAoIZW50aXR5X2IYAyABKA0SDQoFb3duZXIYBCABKA0SHwoFam9pbnQYBSABKAsyEC5qb3N0bGUudjEuSm9pbnQSIQoIYW5jaG9yX2EYBiABKAsyDy5qb3N0bGUudjEuVmVjMxIhCghhbmNob3JfYhgHIAEoCzIPLmpvc3RsZS52MS5WZWMzEg0KBWZvcmNlGAggASgBEg4KBnRvcnF1ZRgJIAEoARISCgpjb29yZGluYXRlGAogASgBKl0KB0hpdE1vZGUSGAoUSElUX01PREVfVU5TUEVDSUZJRUQQABIUChBISVRfTU9ERV9DTE9TRVNUEAESEAoMSElUX01PREVfQU5ZEAISEAoMSElUX01PREVfQUxMEAMysgMKDFF1ZXJ5U2VydmljZRJDCghDYXN0UmF5cxIaLmpvc3RsZS52MS5DYXN0UmF5c1JlcXVlc3QaGy5qb3N0bGUudjEuQ2FzdFJheXNSZXNwb25zZRJJCgpDYXN0U2hhcGVzEhwuam9zdGxlLnYxLkNhc3RTaGFwZXNSZXF1ZXN0Gh0uam9zdGxlLnYxLkNhc3RTaGFwZXNSZXNwb25zZRJACgdPdmVybGFwEhkuam9zdGxlLnYxLk92ZXJsYXBSZXF1ZXN0Ghouam9zdGxlLnYxLk92ZXJsYXBSZXNwb25zZRJSCg1DbG9zZXN0UG9pbnRzEh8uam9zdGxlLnYxLkNsb3Nlc3RQb2ludHNSZXF1ZXN0GiAuam9zdGxlLnYxLkNsb3Nlc3RQb2ludHNSZXNwb25zZRI6CgVEZWJ1ZxIXLmpvc3RsZS52MS5EZWJ1Z1JlcXVlc3QaGC5qb3N0bGUudjEuRGVidWdSZXNwb25zZRJACgdJbnNwZWN0Ehkuam9zdGxlLnYxLkluc3BlY3RSZXF1ZXN0Ghouam9zdGxlLnYxLkluc3BlY3RSZXNwb25zZWIGcHJvdG8z", [file_jostle_v1_common, file_jostle_v1_play, file_jostle_v1_scene]);
 
 /**
  * Selects the shapes that a query can find.
@@ -791,6 +793,433 @@ export const DebugJointSchema: GenMessage<DebugJoint> = /*@__PURE__*/
   messageDesc(file_jostle_v1_query, 19);
 
 /**
+ * @generated from message jostle.v1.InspectRequest
+ */
+export type InspectRequest = Message<"jostle.v1.InspectRequest"> & {
+  /**
+   * id or name; empty: the first world
+   *
+   * @generated from field: string world = 1;
+   */
+  world: string;
+
+  /**
+   * @generated from oneof jostle.v1.InspectRequest.target
+   */
+  target: {
+    /**
+     * @generated from field: uint32 entity = 2;
+     */
+    value: number;
+    case: "entity";
+  } | {
+    /**
+     * JointInfo.id
+     *
+     * @generated from field: uint32 joint = 3;
+     */
+    value: number;
+    case: "joint";
+  } | { case: undefined; value?: undefined };
+};
+
+/**
+ * Describes the message jostle.v1.InspectRequest.
+ * Use `create(InspectRequestSchema)` to create a new message.
+ */
+export const InspectRequestSchema: GenMessage<InspectRequest> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_query, 20);
+
+/**
+ * @generated from message jostle.v1.InspectResponse
+ */
+export type InspectResponse = Message<"jostle.v1.InspectResponse"> & {
+  /**
+   * after which the target had this state
+   *
+   * @generated from field: uint32 tick = 1;
+   */
+  tick: number;
+
+  /**
+   * @generated from field: jostle.v1.InspectedBody body = 2;
+   */
+  body?: InspectedBody | undefined;
+
+  /**
+   * @generated from field: jostle.v1.InspectedJoint joint = 3;
+   */
+  joint?: InspectedJoint | undefined;
+};
+
+/**
+ * Describes the message jostle.v1.InspectResponse.
+ * Use `create(InspectResponseSchema)` to create a new message.
+ */
+export const InspectResponseSchema: GenMessage<InspectResponse> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_query, 21);
+
+/**
+ * @generated from message jostle.v1.InspectedBody
+ */
+export type InspectedBody = Message<"jostle.v1.InspectedBody"> & {
+  /**
+   * @generated from field: uint32 entity = 1;
+   */
+  entity: number;
+
+  /**
+   * @generated from field: string name = 2;
+   */
+  name: string;
+
+  /**
+   * @generated from field: jostle.v1.BodyType type = 3;
+   */
+  type: BodyType;
+
+  /**
+   * client id; 0: the scene
+   *
+   * @generated from field: uint32 owner = 4;
+   */
+  owner: number;
+
+  /**
+   * m
+   *
+   * @generated from field: jostle.v1.Vec3 position = 5;
+   */
+  position?: Vec3 | undefined;
+
+  /**
+   * @generated from field: jostle.v1.Quat rotation = 6;
+   */
+  rotation?: Quat | undefined;
+
+  /**
+   * m/s, of the centre of mass
+   *
+   * @generated from field: jostle.v1.Vec3 linear_velocity = 7;
+   */
+  linearVelocity?: Vec3 | undefined;
+
+  /**
+   * rad/s
+   *
+   * @generated from field: jostle.v1.Vec3 angular_velocity = 8;
+   */
+  angularVelocity?: Vec3 | undefined;
+
+  /**
+   * kg; 0: not dynamic
+   *
+   * @generated from field: double mass = 9;
+   */
+  mass: number;
+
+  /**
+   * m, world
+   *
+   * @generated from field: jostle.v1.Vec3 center_of_mass = 10;
+   */
+  centerOfMass?: Vec3 | undefined;
+
+  /**
+   * kg m^2, about the centre of mass, in the axes of the body: the columns of the symmetric tensor
+   *
+   * @generated from field: jostle.v1.Vec3 inertia_x = 11;
+   */
+  inertiaX?: Vec3 | undefined;
+
+  /**
+   * @generated from field: jostle.v1.Vec3 inertia_y = 12;
+   */
+  inertiaY?: Vec3 | undefined;
+
+  /**
+   * @generated from field: jostle.v1.Vec3 inertia_z = 13;
+   */
+  inertiaZ?: Vec3 | undefined;
+
+  /**
+   * @generated from field: double gravity_scale = 14;
+   */
+  gravityScale: number;
+
+  /**
+   * J
+   *
+   * @generated from field: double kinetic_energy = 15;
+   */
+  kineticEnergy: number;
+
+  /**
+   * @generated from field: bool asleep = 16;
+   */
+  asleep: boolean;
+
+  /**
+   * by an EditInput
+   *
+   * @generated from field: bool frozen = 17;
+   */
+  frozen: boolean;
+
+  /**
+   * The island of the body: the dynamic bodies that contacts and joints connect to it. 0: the body is not dynamic.
+   *
+   * the lowest entity in it
+   *
+   * @generated from field: uint32 island = 18;
+   */
+  island: number;
+
+  /**
+   * at most 1024 are counted
+   *
+   * @generated from field: uint32 island_bodies = 19;
+   */
+  islandBodies: number;
+
+  /**
+   * of each shape
+   *
+   * @generated from field: repeated jostle.v1.InspectedMaterial materials = 20;
+   */
+  materials: InspectedMaterial[];
+
+  /**
+   * at most 256
+   *
+   * @generated from field: repeated jostle.v1.InspectedContact contacts = 21;
+   */
+  contacts: InspectedContact[];
+
+  /**
+   * of all contacts
+   *
+   * @generated from field: uint32 contact_count = 22;
+   */
+  contactCount: number;
+
+  /**
+   * at most 64
+   *
+   * @generated from field: repeated jostle.v1.InspectedJoint joints = 23;
+   */
+  joints: InspectedJoint[];
+
+  /**
+   * of all joints
+   *
+   * @generated from field: uint32 joint_count = 24;
+   */
+  jointCount: number;
+
+  /**
+   * with the visibility EVERYONE
+   *
+   * @generated from field: repeated jostle.v1.Attribute attributes = 25;
+   */
+  attributes: Attribute[];
+};
+
+/**
+ * Describes the message jostle.v1.InspectedBody.
+ * Use `create(InspectedBodySchema)` to create a new message.
+ */
+export const InspectedBodySchema: GenMessage<InspectedBody> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_query, 22);
+
+/**
+ * @generated from message jostle.v1.InspectedMaterial
+ */
+export type InspectedMaterial = Message<"jostle.v1.InspectedMaterial"> & {
+  /**
+   * kg/m^3
+   *
+   * @generated from field: double density = 1;
+   */
+  density: number;
+
+  /**
+   * @generated from field: double friction = 2;
+   */
+  friction: number;
+
+  /**
+   * @generated from field: double restitution = 3;
+   */
+  restitution: number;
+};
+
+/**
+ * Describes the message jostle.v1.InspectedMaterial.
+ * Use `create(InspectedMaterialSchema)` to create a new message.
+ */
+export const InspectedMaterialSchema: GenMessage<InspectedMaterial> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_query, 23);
+
+/**
+ * @generated from message jostle.v1.InspectedContact
+ */
+export type InspectedContact = Message<"jostle.v1.InspectedContact"> & {
+  /**
+   * the other body
+   *
+   * @generated from field: uint32 entity = 1;
+   */
+  entity: number;
+
+  /**
+   * index among the shapes of this entity
+   *
+   * @generated from field: uint32 shape = 2;
+   */
+  shape: number;
+
+  /**
+   * likewise of the other one
+   *
+   * @generated from field: uint32 other_shape = 3;
+   */
+  otherShape: number;
+
+  /**
+   * unit, from this entity to the other one
+   *
+   * @generated from field: jostle.v1.Vec3 normal = 4;
+   */
+  normal?: Vec3 | undefined;
+
+  /**
+   * @generated from field: repeated jostle.v1.InspectedContactPoint points = 5;
+   */
+  points: InspectedContactPoint[];
+};
+
+/**
+ * Describes the message jostle.v1.InspectedContact.
+ * Use `create(InspectedContactSchema)` to create a new message.
+ */
+export const InspectedContactSchema: GenMessage<InspectedContact> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_query, 24);
+
+/**
+ * @generated from message jostle.v1.InspectedContactPoint
+ */
+export type InspectedContactPoint = Message<"jostle.v1.InspectedContactPoint"> & {
+  /**
+   * world, m
+   *
+   * @generated from field: jostle.v1.Vec3 point = 1;
+   */
+  point?: Vec3 | undefined;
+
+  /**
+   * m; negative: overlap
+   *
+   * @generated from field: double separation = 2;
+   */
+  separation: number;
+
+  /**
+   * N s, along the normal, of a step like its last sub-step
+   *
+   * @generated from field: double impulse = 3;
+   */
+  impulse: number;
+};
+
+/**
+ * Describes the message jostle.v1.InspectedContactPoint.
+ * Use `create(InspectedContactPointSchema)` to create a new message.
+ */
+export const InspectedContactPointSchema: GenMessage<InspectedContactPoint> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_query, 25);
+
+/**
+ * @generated from message jostle.v1.InspectedJoint
+ */
+export type InspectedJoint = Message<"jostle.v1.InspectedJoint"> & {
+  /**
+   * JointInfo.id
+   *
+   * @generated from field: uint32 id = 1;
+   */
+  id: number;
+
+  /**
+   * 0: the world
+   *
+   * @generated from field: uint32 entity_a = 2;
+   */
+  entityA: number;
+
+  /**
+   * @generated from field: uint32 entity_b = 3;
+   */
+  entityB: number;
+
+  /**
+   * client id; 0: the scene
+   *
+   * @generated from field: uint32 owner = 4;
+   */
+  owner: number;
+
+  /**
+   * frame_a, frame_b, the kind with its current parameters, and breaking limits
+   *
+   * @generated from field: jostle.v1.Joint joint = 5;
+   */
+  joint?: Joint | undefined;
+
+  /**
+   * world, m
+   *
+   * @generated from field: jostle.v1.Vec3 anchor_a = 6;
+   */
+  anchorA?: Vec3 | undefined;
+
+  /**
+   * world, m
+   *
+   * @generated from field: jostle.v1.Vec3 anchor_b = 7;
+   */
+  anchorB?: Vec3 | undefined;
+
+  /**
+   * N, magnitude of the constraint force of the last step
+   *
+   * @generated from field: double force = 8;
+   */
+  force: number;
+
+  /**
+   * N m, likewise
+   *
+   * @generated from field: double torque = 9;
+   */
+  torque: number;
+
+  /**
+   * rad or m: the angle of a hinge, the travel of a slider, the length of a distance joint; 0 for other kinds
+   *
+   * @generated from field: double coordinate = 10;
+   */
+  coordinate: number;
+};
+
+/**
+ * Describes the message jostle.v1.InspectedJoint.
+ * Use `create(InspectedJointSchema)` to create a new message.
+ */
+export const InspectedJointSchema: GenMessage<InspectedJoint> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_query, 26);
+
+/**
  * @generated from enum jostle.v1.HitMode
  */
 export enum HitMode {
@@ -882,6 +1311,16 @@ export const QueryService: GenService<{
     methodKind: "unary";
     input: typeof DebugRequestSchema;
     output: typeof DebugResponseSchema;
+  },
+  /**
+   * Returns the state of one entity or joint between two ticks. NOT_FOUND: no such entity or joint.
+   *
+   * @generated from rpc jostle.v1.QueryService.Inspect
+   */
+  inspect: {
+    methodKind: "unary";
+    input: typeof InspectRequestSchema;
+    output: typeof InspectResponseSchema;
   },
 }> = /*@__PURE__*/
   serviceDesc(file_jostle_v1_query, 0);

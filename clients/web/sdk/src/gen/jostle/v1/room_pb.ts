@@ -14,7 +14,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file jostle/v1/room.proto.
  */
 export const file_jostle_v1_room: GenFile = /*@__PURE__*/
-  fileDesc("ChRqb3N0bGUvdjEvcm9vbS5wcm90bxIJam9zdGxlLnYxIqcDCgxSb29tU2V0dGluZ3MSDQoFdGl0bGUYASABKAkSEwoLZGVzY3JpcHRpb24YAiABKAkSDAoEdGFncxgDIAMoCRIQCghjYXBhY2l0eRgEIAEoDRIRCglqb2luX2NvZGUYBSABKAkSEAoIdW5saXN0ZWQYBiABKAgSGAoQY2xvc2Vfd2hlbl9lbXB0eRgHIAEoCBIUCgxpbml0aWFsX3JvbGUYCCABKAkSPQoLcGVybWlzc2lvbnMYCSADKAsyKC5qb3N0bGUudjEuUm9vbVNldHRpbmdzLlBlcm1pc3Npb25zRW50cnkSMwoGcXVvdGFzGAogAygLMiMuam9zdGxlLnYxLlJvb21TZXR0aW5ncy5RdW90YXNFbnRyeRInCgVhcmVhcxgLIAMoCzIYLmpvc3RsZS52MS5Qcm90ZWN0ZWRBcmVhGjIKEFBlcm1pc3Npb25zRW50cnkSCwoDa2V5GAEgASgJEg0KBXZhbHVlGAIgASgJOgI4ARotCgtRdW90YXNFbnRyeRILCgNrZXkYASABKAkSDQoFdmFsdWUYAiABKAE6AjgBImsKDVByb3RlY3RlZEFyZWESDAoEbmFtZRgBIAEoCRIcCgNtaW4YAiABKAsyDy5qb3N0bGUudjEuVmVjMxIcCgNtYXgYAyABKAsyDy5qb3N0bGUudjEuVmVjMxIQCghtaW5fcm9sZRgEIAEoCSKzAQoIUm9vbUluZm8SDQoFdGl0bGUYASABKAkSEwoLZGVzY3JpcHRpb24YAiABKAkSDAoEdGFncxgDIAMoCRIQCghjYXBhY2l0eRgEIAEoDRISCgppc19wcml2YXRlGAUgASgIEhAKCHVubGlzdGVkGAYgASgIEhgKEGNsb3NlX3doZW5fZW1wdHkYByABKAgSDwoHcGxheWVycxgIIAEoDRISCgpzcGVjdGF0b3JzGAkgASgNYgZwcm90bzM", [file_jostle_v1_common]);
+  fileDesc("ChRqb3N0bGUvdjEvcm9vbS5wcm90bxIJam9zdGxlLnYxIsEDCgxSb29tU2V0dGluZ3MSDQoFdGl0bGUYASABKAkSEwoLZGVzY3JpcHRpb24YAiABKAkSDAoEdGFncxgDIAMoCRIQCghjYXBhY2l0eRgEIAEoDRIRCglqb2luX2NvZGUYBSABKAkSEAoIdW5saXN0ZWQYBiABKAgSGAoQY2xvc2Vfd2hlbl9lbXB0eRgHIAEoCBIUCgxpbml0aWFsX3JvbGUYCCABKAkSPQoLcGVybWlzc2lvbnMYCSADKAsyKC5qb3N0bGUudjEuUm9vbVNldHRpbmdzLlBlcm1pc3Npb25zRW50cnkSMwoGcXVvdGFzGAogAygLMiMuam9zdGxlLnYxLlJvb21TZXR0aW5ncy5RdW90YXNFbnRyeRInCgVhcmVhcxgLIAMoCzIYLmpvc3RsZS52MS5Qcm90ZWN0ZWRBcmVhEhgKEHRpbWVsaW5lX3NlY29uZHMYFCABKA0aMgoQUGVybWlzc2lvbnNFbnRyeRILCgNrZXkYASABKAkSDQoFdmFsdWUYAiABKAk6AjgBGi0KC1F1b3Rhc0VudHJ5EgsKA2tleRgBIAEoCRINCgV2YWx1ZRgCIAEoAToCOAEiawoNUHJvdGVjdGVkQXJlYRIMCgRuYW1lGAEgASgJEhwKA21pbhgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEhwKA21heBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzEhAKCG1pbl9yb2xlGAQgASgJIrMBCghSb29tSW5mbxINCgV0aXRsZRgBIAEoCRITCgtkZXNjcmlwdGlvbhgCIAEoCRIMCgR0YWdzGAMgAygJEhAKCGNhcGFjaXR5GAQgASgNEhIKCmlzX3ByaXZhdGUYBSABKAgSEAoIdW5saXN0ZWQYBiABKAgSGAoQY2xvc2Vfd2hlbl9lbXB0eRgHIAEoCBIPCgdwbGF5ZXJzGAggASgNEhIKCnNwZWN0YXRvcnMYCSABKA1iBnByb3RvMw", [file_jostle_v1_common]);
 
 /**
  * The settings of a room. A world without them is no room: everybody who may join it may do everything that its limits
@@ -88,7 +88,7 @@ export type RoomSettings = Message<"jostle.v1.RoomSettings"> & {
   permissions: { [key: string]: string };
 
   /**
-   * Replaces quotas of roles, 0: unlimited. "player.bodies", "player.energy_per_second" (J/s) and
+   * Replaces quotas of roles, 0: unlimited. "player.bodies", "player.joints", "player.energy_per_second" (J/s) and
    * "player.explosions_per_minute", likewise for spectator, builder and owner.
    *
    * @generated from field: map<string, double> quotas = 10;
@@ -101,6 +101,14 @@ export type RoomSettings = Message<"jostle.v1.RoomSettings"> & {
    * @generated from field: repeated jostle.v1.ProtectedArea areas = 11;
    */
   areas: ProtectedArea[];
+
+  /**
+   * Seconds of the past to which members can rewind the room (RewindInput), 0 to 60, one state per second. The server
+   * stores these states in memory (docs/guides/operator/rooms.md). 0: none.
+   *
+   * @generated from field: uint32 timeline_seconds = 20;
+   */
+  timelineSeconds: number;
 };
 
 /**

@@ -21,7 +21,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file jostle/v1/scene.proto.
  */
 export const file_jostle_v1_scene: GenFile = /*@__PURE__*/
-  fileDesc("ChVqb3N0bGUvdjEvc2NlbmUucHJvdG8SCWpvc3RsZS52MSLhAQoFU2NlbmUSDAoEbmFtZRgBIAEoCRITCgtkZXNjcmlwdGlvbhgCIAEoCRInCgV3b3JsZBgDIAEoCzIYLmpvc3RsZS52MS5Xb3JsZFNldHRpbmdzEh8KBmJvZGllcxgEIAMoCzIPLmpvc3RsZS52MS5Cb2R5EiAKBmpvaW50cxgFIAMoCzIQLmpvc3RsZS52MS5Kb2ludBIiCgdtb2R1bGVzGAYgAygLMhEuam9zdGxlLnYxLk1vZHVsZRIlCgRyb29tGBQgASgLMhcuam9zdGxlLnYxLlJvb21TZXR0aW5ncyKyAwoNV29ybGRTZXR0aW5ncxIgCgdncmF2aXR5GAEgASgLMg8uam9zdGxlLnYxLlZlYzMSFQoIc3Vic3RlcHMYAiABKA1IAIgBARIPCgJoehgDIAEoAUgBiAEBEhUKCHNsZWVwaW5nGAQgASgISAKIAQESDgoGcGxhbmFyGAUgASgIEhcKCmNvbnRpbnVvdXMYBiABKAhIA4gBARIqCgticm9hZF9waGFzZRgHIAEoDjIVLmpvc3RsZS52MS5Ccm9hZFBoYXNlEhYKCWhpdF9zcGVlZBgIIAEoAUgEiAEBEiwKDGpvaW50X3NvbHZlchgJIAEoDjIWLmpvc3RsZS52MS5Kb2ludFNvbHZlchIRCgl0b2xlcmFuY2UYCiABKAESFgoOc3Vic3RlcF9idWRnZXQYCyABKA0SEwoLc3RlcF9idWRnZXQYDCABKA0SJwoJcHJlY2lzaW9uGA0gASgLMhQuam9zdGxlLnYxLlByZWNpc2lvbkILCglfc3Vic3RlcHNCBQoDX2h6QgsKCV9zbGVlcGluZ0INCgtfY29udGludW91c0IMCgpfaGl0X3NwZWVkItAECgRCb2R5EgwKBG5hbWUYASABKAkSIQoEdHlwZRgCIAEoDjITLmpvc3RsZS52MS5Cb2R5VHlwZRIhCghwb3NpdGlvbhgDIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAQgASgLMg8uam9zdGxlLnYxLlF1YXQSKAoPbGluZWFyX3ZlbG9jaXR5GAUgASgLMg8uam9zdGxlLnYxLlZlYzMSKQoQYW5ndWxhcl92ZWxvY2l0eRgGIAEoCzIPLmpvc3RsZS52MS5WZWMzEhsKDmxpbmVhcl9kYW1waW5nGAcgASgBSACIAQESHAoPYW5ndWxhcl9kYW1waW5nGAggASgBSAGIAQESGgoNZ3Jhdml0eV9zY2FsZRgJIAEoAUgCiAEBEhYKCW1heV9zbGVlcBgKIAEoCEgDiAEBEiAKBnNoYXBlcxgLIAMoCzIQLmpvc3RsZS52MS5TaGFwZRISCgVjb2xvchgMIAEoB0gEiAEBEiEKBnJlcGVhdBgNIAMoCzIRLmpvc3RsZS52MS5SZXBlYXQSHwoFbG9ja3MYDiABKAsyEC5qb3N0bGUudjEuTG9ja3MSFwoKY29udGludW91cxgPIAEoCEgFiAEBEhEKBG1hc3MYECABKAFIBogBAUIRCg9fbGluZWFyX2RhbXBpbmdCEgoQX2FuZ3VsYXJfZGFtcGluZ0IQCg5fZ3Jhdml0eV9zY2FsZUIMCgpfbWF5X3NsZWVwQggKBl9jb2xvckINCgtfY29udGludW91c0IHCgVfbWFzcyJYCgVMb2NrcxIJCgF4GAEgASgIEgkKAXkYAiABKAgSCQoBehgDIAEoCBIOCgZ0dXJuX3gYBCABKAgSDgoGdHVybl95GAUgASgIEg4KBnR1cm5fehgGIAEoCCI4CgZSZXBlYXQSDQoFY291bnQYASABKA0SHwoGb2Zmc2V0GAIgASgLMg8uam9zdGxlLnYxLlZlYzMixQcKBVNoYXBlEiMKBnNwaGVyZRgBIAEoCzIRLmpvc3RsZS52MS5TcGhlcmVIABIlCgdjYXBzdWxlGAIgASgLMhIuam9zdGxlLnYxLkNhcHN1bGVIABIdCgNib3gYAyABKAsyDi5qb3N0bGUudjEuQm94SAASIQoFcGxhbmUYBCABKAsyEC5qb3N0bGUudjEuUGxhbmVIABInCghjeWxpbmRlchgKIAEoCzITLmpvc3RsZS52MS5DeWxpbmRlckgAEh8KBGNvbmUYCyABKAsyDy5qb3N0bGUudjEuQ29uZUgAEh8KBGh1bGwYDCABKAsyDy5qb3N0bGUudjEuSHVsbEgAEh8KBG1lc2gYDSABKAsyDy5qb3N0bGUudjEuTWVzaEgAEi4KDGhlaWdodF9maWVsZBgOIAEoCzIWLmpvc3RsZS52MS5IZWlnaHRGaWVsZEgAEicKCGNvbXBvdW5kGA8gASgLMhMuam9zdGxlLnYxLkNvbXBvdW5kSAASIQoFc29saWQYGyABKAsyEC5qb3N0bGUudjEuU29saWRIABISCghnZW9tZXRyeRgZIAEoBkgAEiEKCHBvc2l0aW9uGAUgASgLMg8uam9zdGxlLnYxLlZlYzMSIQoIcm90YXRpb24YBiABKAsyDy5qb3N0bGUudjEuUXVhdBIUCgdkZW5zaXR5GAcgASgBSAGIAQESFQoIZnJpY3Rpb24YCCABKAFIAogBARIYCgtyZXN0aXR1dGlvbhgJIAEoAUgDiAEBEhEKBG1hc3MYECABKAFIBIgBARIdChByb2xsaW5nX2ZyaWN0aW9uGBEgASgBSAWIAQESHwoSdG9yc2lvbmFsX2ZyaWN0aW9uGBIgASgBSAaIAQESKQoQc3VyZmFjZV92ZWxvY2l0eRgTIAEoCzIPLmpvc3RsZS52MS5WZWMzEikKDWZyaWN0aW9uX3J1bGUYFCABKA4yEi5qb3N0bGUudjEuQ29tYmluZRIsChByZXN0aXR1dGlvbl9ydWxlGBUgASgOMhIuam9zdGxlLnYxLkNvbWJpbmUSIQoGZmlsdGVyGBYgASgLMhEuam9zdGxlLnYxLkZpbHRlchIPCgd0cmlnZ2VyGBcgASgIEhQKDHJlcG9ydF9zdGF5cxgYIAEoCEIGCgRraW5kQgoKCF9kZW5zaXR5QgsKCV9mcmljdGlvbkIOCgxfcmVzdGl0dXRpb25CBwoFX21hc3NCEwoRX3JvbGxpbmdfZnJpY3Rpb25CFQoTX3RvcnNpb25hbF9mcmljdGlvbiJXCgZGaWx0ZXISFQoIY2F0ZWdvcnkYASABKA1IAIgBARIRCgRtYXNrGAIgASgNSAGIAQESDQoFZ3JvdXAYAyABKBFCCwoJX2NhdGVnb3J5QgcKBV9tYXNrIhgKBlNwaGVyZRIOCgZyYWRpdXMYASABKAEiLgoHQ2Fwc3VsZRIOCgZyYWRpdXMYASABKAESEwoLaGFsZl9sZW5ndGgYAiABKAEiLAoDQm94EiUKDGhhbGZfZXh0ZW50cxgBIAEoCzIPLmpvc3RsZS52MS5WZWMzIigKBVBsYW5lEh8KBm5vcm1hbBgBIAEoCzIPLmpvc3RsZS52MS5WZWMzIi8KCEN5bGluZGVyEg4KBnJhZGl1cxgBIAEoARITCgtoYWxmX2xlbmd0aBgCIAEoASIrCgRDb25lEg4KBnJhZGl1cxgBIAEoARITCgtoYWxmX2xlbmd0aBgCIAEoASInCgRIdWxsEh8KBnBvaW50cxgBIAMoCzIPLmpvc3RsZS52MS5WZWMzIjoKBE1lc2gSIQoIdmVydGljZXMYASADKAsyDy5qb3N0bGUudjEuVmVjMxIPCgdpbmRpY2VzGAIgAygNIlkKBVNvbGlkEh0KBG1lc2gYASABKAsyDy5qb3N0bGUudjEuTWVzaBIRCglwYXJ0c19tYXgYAiABKA0SEwoGZXhjZXNzGAMgASgBSACIAQFCCQoHX2V4Y2VzcyJyCgtIZWlnaHRGaWVsZBIPCgdjb2x1bW5zGAEgASgNEgwKBHJvd3MYAiABKA0SEQoJc3BhY2luZ194GAMgASgBEhEKCXNwYWNpbmdfehgEIAEoARIPCgdoZWlnaHRzGAUgAygBEg0KBWhvbGVzGAYgAygNIi4KCENvbXBvdW5kEiIKCGNoaWxkcmVuGAEgAygLMhAuam9zdGxlLnYxLlNoYXBlIo0HCgVKb2ludBIMCgRuYW1lGAEgASgJEg4KBmJvZHlfYRgCIAEoCRIOCgZib2R5X2IYAyABKAkSJAoFZnJhbWUYBCABKAsyFS5qb3N0bGUudjEuSm9pbnRGcmFtZRImCgdmcmFtZV9hGAUgASgLMhUuam9zdGxlLnYxLkpvaW50RnJhbWUSJgoHZnJhbWVfYhgGIAEoCzIVLmpvc3RsZS52MS5Kb2ludEZyYW1lEiQKBGJhbGwYByABKAsyFC5qb3N0bGUudjEuQmFsbEpvaW50SAASJgoFaGluZ2UYCCABKAsyFS5qb3N0bGUudjEuSGluZ2VKb2ludEgAEi8KCmNvbmVfdHdpc3QYCSABKAsyGS5qb3N0bGUudjEuQ29uZVR3aXN0Sm9pbnRIABImCgVmaXhlZBgKIAEoCzIVLmpvc3RsZS52MS5GaXhlZEpvaW50SAASLAoIZGlzdGFuY2UYCyABKAsyGC5qb3N0bGUudjEuRGlzdGFuY2VKb2ludEgAEi4KDHZlbG9jaXR5X3JvdxgQIAEoCzIWLmpvc3RsZS52MS5WZWxvY2l0eVJvd0gAEigKBnNsaWRlchgRIAEoCzIWLmpvc3RsZS52MS5TbGlkZXJKb2ludEgAEikKB3NpeF9kb2YYEiABKAsyFi5qb3N0bGUudjEuU2l4RG9mSm9pbnRIABImCgV3aGVlbBgTIAEoCzIVLmpvc3RsZS52MS5XaGVlbEpvaW50SAASJAoEZ3JhYhgUIAEoCzIULmpvc3RsZS52MS5HcmFiSm9pbnRIABIkCgRnZWFyGBUgASgLMhQuam9zdGxlLnYxLkdlYXJKb2ludEgAEiQKBHJhY2sYFiABKAsyFC5qb3N0bGUudjEuUmFja0pvaW50SAASKAoGcHVsbGV5GBcgASgLMhYuam9zdGxlLnYxLlB1bGxleUpvaW50SAASJAoEcGF0aBgYIAEoCzIULmpvc3RsZS52MS5QYXRoSm9pbnRIABIZChFjb2xsaWRlX2Nvbm5lY3RlZBgMIAEoCBITCgticmVha19mb3JjZRgNIAEoARIUCgxicmVha190b3JxdWUYDiABKAESJgoGc29sdmVyGBkgASgOMhYuam9zdGxlLnYxLkpvaW50U29sdmVyEiYKBnJlcGVhdBgPIAEoCzIWLmpvc3RsZS52MS5Kb2ludFJlcGVhdEIGCgRraW5kIj0KC0pvaW50UmVwZWF0Eg0KBWNvdW50GAEgASgNEh8KBm9mZnNldBgCIAEoCzIPLmpvc3RsZS52MS5WZWMzIlIKCkpvaW50RnJhbWUSIQoIcG9zaXRpb24YASABKAsyDy5qb3N0bGUudjEuVmVjMxIhCghyb3RhdGlvbhgCIAEoCzIPLmpvc3RsZS52MS5RdWF0Ik0KCUJhbGxKb2ludBInCgVkcml2ZRgBIAEoCzIYLmpvc3RsZS52MS5Sb3RhdGlvbkRyaXZlEhcKD2ZyaWN0aW9uX3RvcnF1ZRgCIAEoASJ7Cg1Sb3RhdGlvbkRyaXZlEiEKBnNwcmluZxgBIAEoCzIRLmpvc3RsZS52MS5TcHJpbmcSHwoGdGFyZ2V0GAIgASgLMg8uam9zdGxlLnYxLlF1YXQSFwoKbWF4X3RvcnF1ZRgDIAEoAUgAiAEBQg0KC19tYXhfdG9ycXVlItQBCgpIaW5nZUpvaW50EiQKBWxpbWl0GAEgASgLMhAuam9zdGxlLnYxLkxpbWl0SACIAQESGAoLbW90b3Jfc3BlZWQYAiABKAFIAYgBARIYChBtb3Rvcl9tYXhfdG9ycXVlGAMgASgBEiEKBnNwcmluZxgEIAEoCzIRLmpvc3RsZS52MS5TcHJpbmcSFAoMc3ByaW5nX2FuZ2xlGAUgASgBEhkKEXNwcmluZ19tYXhfdG9ycXVlGAYgASgBQggKBl9saW1pdEIOCgxfbW90b3Jfc3BlZWQikQEKDkNvbmVUd2lzdEpvaW50Eg0KBXN3aW5nGAEgASgBEiQKBXR3aXN0GAIgASgLMhAuam9zdGxlLnYxLkxpbWl0SACIAQESFwoPZnJpY3Rpb25fdG9ycXVlGAMgASgBEicKBWRyaXZlGAQgASgLMhguam9zdGxlLnYxLlJvdGF0aW9uRHJpdmVCCAoGX3R3aXN0IlMKCkZpeGVkSm9pbnQSIQoGbGluZWFyGAEgASgLMhEuam9zdGxlLnYxLlNwcmluZxIiCgdhbmd1bGFyGAIgASgLMhEuam9zdGxlLnYxLlNwcmluZyJvCg1EaXN0YW5jZUpvaW50EhIKCm1pbl9sZW5ndGgYASABKAESEgoKbWF4X2xlbmd0aBgCIAEoARIhCgZzcHJpbmcYAyABKAsyES5qb3N0bGUudjEuU3ByaW5nEhMKC3Jlc3RfbGVuZ3RoGAQgASgBIuwBCgtTbGlkZXJKb2ludBIkCgVsaW1pdBgBIAEoCzIQLmpvc3RsZS52MS5MaW1pdEgAiAEBEhgKC21vdG9yX3NwZWVkGAIgASgBSAGIAQESFwoPbW90b3JfbWF4X2ZvcmNlGAMgASgBEiEKBnNwcmluZxgEIAEoCzIRLmpvc3RsZS52MS5TcHJpbmcSFQoNc3ByaW5nX3RyYXZlbBgFIAEoARIWCg5mcmljdGlvbl9mb3JjZRgGIAEoARIYChBzcHJpbmdfbWF4X2ZvcmNlGAcgASgBQggKBl9saW1pdEIOCgxfbW90b3Jfc3BlZWQi4gEKC1NpeERvZkpvaW50Eh8KAXgYASABKAsyFC5qb3N0bGUudjEuSm9pbnRBeGlzEh8KAXkYAiABKAsyFC5qb3N0bGUudjEuSm9pbnRBeGlzEh8KAXoYAyABKAsyFC5qb3N0bGUudjEuSm9pbnRBeGlzEiQKBnR1cm5feBgEIAEoCzIULmpvc3RsZS52MS5Kb2ludEF4aXMSJAoGdHVybl95GAUgASgLMhQuam9zdGxlLnYxLkpvaW50QXhpcxIkCgZ0dXJuX3oYBiABKAsyFC5qb3N0bGUudjEuSm9pbnRBeGlzIuQBCglKb2ludEF4aXMSDAoEZnJlZRgBIAEoCBIkCgVsaW1pdBgCIAEoCzIQLmpvc3RsZS52MS5MaW1pdEgAiAEBEiEKBnNwcmluZxgDIAEoCzIRLmpvc3RsZS52MS5TcHJpbmcSEQoJc3ByaW5nX2F0GAQgASgBEhgKC21vdG9yX3NwZWVkGAUgASgBSAGIAQESEgoKbW90b3JfbW9zdBgGIAEoARIQCghmcmljdGlvbhgHIAEoARITCgtzcHJpbmdfbW9zdBgIIAEoAUIICgZfbGltaXRCDgoMX21vdG9yX3NwZWVkIrsCCgpXaGVlbEpvaW50EiUKCnN1c3BlbnNpb24YASABKAsyES5qb3N0bGUudjEuU3ByaW5nEgwKBHJpZGUYAiABKAESJQoGdHJhdmVsGAMgASgLMhAuam9zdGxlLnYxLkxpbWl0SACIAQESEAoIc3RlZXJpbmcYBCABKAESFQoNZnJlZV9zdGVlcmluZxgFIAEoCBItCg5zdGVlcmluZ19saW1pdBgGIAEoCzIQLmpvc3RsZS52MS5MaW1pdEgBiAEBEhgKC21vdG9yX3NwZWVkGAcgASgBSAKIAQESGAoQbW90b3JfbWF4X3RvcnF1ZRgIIAEoARIXCg9mcmljdGlvbl90b3JxdWUYCSABKAFCCQoHX3RyYXZlbEIRCg9fc3RlZXJpbmdfbGltaXRCDgoMX21vdG9yX3NwZWVkIosBCglHcmFiSm9pbnQSHwoGdGFyZ2V0GAEgASgLMg8uam9zdGxlLnYxLlZlYzMSIQoGc3ByaW5nGAIgASgLMhEuam9zdGxlLnYxLlNwcmluZxIWCgltYXhfZm9yY2UYAyABKAFIAIgBARIUCgx0dXJuX2RhbXBpbmcYBCABKAFCDAoKX21heF9mb3JjZSIpCglHZWFySm9pbnQSEgoFcmF0aW8YASABKAFIAIgBAUIICgZfcmF0aW8iKwoJUmFja0pvaW50EhMKBnJhZGl1cxgBIAEoAUgAiAEBQgkKB19yYWRpdXMifwoLUHVsbGV5Sm9pbnQSIAoHcG9pbnRfYRgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEiAKB3BvaW50X2IYAiABKAsyDy5qb3N0bGUudjEuVmVjMxIOCgZsZW5ndGgYAyABKAESEgoFcmF0aW8YBCABKAFIAIgBAUIICgZfcmF0aW8ioQIKCVBhdGhKb2ludBIfCgZwb2ludHMYASADKAsyDy5qb3N0bGUudjEuVmVjMxITCgZzbW9vdGgYAiABKAhIAIgBARIOCgZjbG9zZWQYAyABKAgSJAoFbGltaXQYBCABKAsyEC5qb3N0bGUudjEuTGltaXRIAYgBARIYCgttb3Rvcl9zcGVlZBgFIAEoAUgCiAEBEhcKD21vdG9yX21heF9mb3JjZRgGIAEoARIhCgZzcHJpbmcYByABKAsyES5qb3N0bGUudjEuU3ByaW5nEhUKDXNwcmluZ190cmF2ZWwYCCABKAESFgoOZnJpY3Rpb25fZm9yY2UYCSABKAFCCQoHX3Ntb290aEIICgZfbGltaXRCDgoMX21vdG9yX3NwZWVkIpoCCgtWZWxvY2l0eVJvdxIhCghsaW5lYXJfYRgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEiIKCWFuZ3VsYXJfYRgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCGxpbmVhcl9iGAMgASgLMg8uam9zdGxlLnYxLlZlYzMSIgoJYW5ndWxhcl9iGAQgASgLMg8uam9zdGxlLnYxLlZlYzMSEgoKd29ybGRfYXhlcxgFIAEoCBINCgVzcGVlZBgGIAEoARIMCgRiaWFzGAcgASgBEhAKCHNvZnRuZXNzGAggASgBEhIKBWxvd2VyGAkgASgBSACIAQESEgoFdXBwZXIYCiABKAFIAYgBAUIICgZfbG93ZXJCCAoGX3VwcGVyIiUKBUxpbWl0Eg0KBWxvd2VyGAEgASgBEg0KBXVwcGVyGAIgASgBIkUKBlNwcmluZxINCgVoZXJ0ehgBIAEoARIaCg1kYW1waW5nX3JhdGlvGAIgASgBSACIAQFCEAoOX2RhbXBpbmdfcmF0aW8i4AUKBk1vZHVsZRILCgN0YWcYASABKAkSMQoIc2V0dGluZ3MYAiADKAsyHy5qb3N0bGUudjEuTW9kdWxlLlNldHRpbmdzRW50cnkSLQoGYm9kaWVzGAMgAygLMh0uam9zdGxlLnYxLk1vZHVsZS5Cb2RpZXNFbnRyeRINCgVzdGF0ZRgEIAEoDBIxCgpob3ZlcmNyYWZ0GAogASgLMhsuam9zdGxlLnYxLkhvdmVyY3JhZnRNb2R1bGVIABIvCgljaGFyYWN0ZXIYCyABKAsyGi5qb3N0bGUudjEuQ2hhcmFjdGVyTW9kdWxlSAASKwoHdmVoaWNsZRgMIAEoCzIYLmpvc3RsZS52MS5WZWhpY2xlTW9kdWxlSAASKQoGZmllbGRzGA0gASgLMhcuam9zdGxlLnYxLkZpZWxkc01vZHVsZUgAEisKB3JhZ2RvbGwYDiABKAsyGC5qb3N0bGUudjEuUmFnZG9sbE1vZHVsZUgAEjMKC2Rlc3RydWN0aW9uGA8gASgLMhwuam9zdGxlLnYxLkRlc3RydWN0aW9uTW9kdWxlSAASJQoEYm9hdBgQIAEoCzIVLmpvc3RsZS52MS5Cb2F0TW9kdWxlSAASLwoJcGFydGljbGVzGBEgASgLMhouam9zdGxlLnYxLlBhcnRpY2xlc01vZHVsZUgAEicKBWNyb3dkGBIgASgLMhYuam9zdGxlLnYxLkNyb3dkTW9kdWxlSAASJQoEcm9wZRgTIAEoCzIVLmpvc3RsZS52MS5Sb3BlTW9kdWxlSAASJwoFY2xvdGgYFCABKAsyFi5qb3N0bGUudjEuQ2xvdGhNb2R1bGVIABovCg1TZXR0aW5nc0VudHJ5EgsKA2tleRgBIAEoCRINCgV2YWx1ZRgCIAEoAToCOAEaLQoLQm9kaWVzRW50cnkSCwoDa2V5GAEgASgJEg0KBXZhbHVlGAIgASgJOgI4AUIJCgdvYmplY3RzKnwKC0pvaW50U29sdmVyEhwKGEpPSU5UX1NPTFZFUl9VTlNQRUNJRklFRBAAEhoKFkpPSU5UX1NPTFZFUl9BVVRPTUFUSUMQARIaChZKT0lOVF9TT0xWRVJfSVRFUkFUSVZFEAISFwoTSk9JTlRfU09MVkVSX0RJUkVDVBADKoUBCgpCcm9hZFBoYXNlEhsKF0JST0FEX1BIQVNFX1VOU1BFQ0lGSUVEEAASHAoYQlJPQURfUEhBU0VfRFlOQU1JQ19UUkVFEAESHgoaQlJPQURfUEhBU0VfU09SVF9BTkRfU1dFRVAQAhIcChhCUk9BRF9QSEFTRV9VTklGT1JNX0dSSUQQAyqEAQoIQm9keVR5cGUSGQoVQk9EWV9UWVBFX1VOU1BFQ0lGSUVEEAASFAoQQk9EWV9UWVBFX1NUQVRJQxABEhMKD0JPRFlfVFlQRV9GSVhFRBABEhcKE0JPRFlfVFlQRV9LSU5FTUFUSUMQAhIVChFCT0RZX1RZUEVfRFlOQU1JQxADGgIQASqTAQoHQ29tYmluZRIXChNDT01CSU5FX1VOU1BFQ0lGSUVEEAASEwoPQ09NQklORV9BVkVSQUdFEAESGgoWQ09NQklORV9HRU9NRVRSSUNfTUVBThACEhMKD0NPTUJJTkVfTUlOSU1VTRADEhQKEENPTUJJTkVfTVVMVElQTFkQBBITCg9DT01CSU5FX01BWElNVU0QBWIGcHJvdG8z", [file_jostle_v1_common, file_jostle_v1_modules, file_jostle_v1_room]);
+  fileDesc("ChVqb3N0bGUvdjEvc2NlbmUucHJvdG8SCWpvc3RsZS52MSKAAgoFU2NlbmUSDAoEbmFtZRgBIAEoCRITCgtkZXNjcmlwdGlvbhgCIAEoCRInCgV3b3JsZBgDIAEoCzIYLmpvc3RsZS52MS5Xb3JsZFNldHRpbmdzEh8KBmJvZGllcxgEIAMoCzIPLmpvc3RsZS52MS5Cb2R5EiAKBmpvaW50cxgFIAMoCzIQLmpvc3RsZS52MS5Kb2ludBIiCgdtb2R1bGVzGAYgAygLMhEuam9zdGxlLnYxLk1vZHVsZRIdCgR2aWV3GAcgASgLMg8uam9zdGxlLnYxLlZpZXcSJQoEcm9vbRgUIAEoCzIXLmpvc3RsZS52MS5Sb29tU2V0dGluZ3MiXAoEVmlldxIcCgNleWUYASABKAsyDy5qb3N0bGUudjEuVmVjMxIfCgZ0YXJnZXQYAiABKAsyDy5qb3N0bGUudjEuVmVjMxIVCg1maWVsZF9vZl92aWV3GAMgASgBIrIDCg1Xb3JsZFNldHRpbmdzEiAKB2dyYXZpdHkYASABKAsyDy5qb3N0bGUudjEuVmVjMxIVCghzdWJzdGVwcxgCIAEoDUgAiAEBEg8KAmh6GAMgASgBSAGIAQESFQoIc2xlZXBpbmcYBCABKAhIAogBARIOCgZwbGFuYXIYBSABKAgSFwoKY29udGludW91cxgGIAEoCEgDiAEBEioKC2Jyb2FkX3BoYXNlGAcgASgOMhUuam9zdGxlLnYxLkJyb2FkUGhhc2USFgoJaGl0X3NwZWVkGAggASgBSASIAQESLAoMam9pbnRfc29sdmVyGAkgASgOMhYuam9zdGxlLnYxLkpvaW50U29sdmVyEhEKCXRvbGVyYW5jZRgKIAEoARIWCg5zdWJzdGVwX2J1ZGdldBgLIAEoDRITCgtzdGVwX2J1ZGdldBgMIAEoDRInCglwcmVjaXNpb24YDSABKAsyFC5qb3N0bGUudjEuUHJlY2lzaW9uQgsKCV9zdWJzdGVwc0IFCgNfaHpCCwoJX3NsZWVwaW5nQg0KC19jb250aW51b3VzQgwKCl9oaXRfc3BlZWQi0AQKBEJvZHkSDAoEbmFtZRgBIAEoCRIhCgR0eXBlGAIgASgOMhMuam9zdGxlLnYxLkJvZHlUeXBlEiEKCHBvc2l0aW9uGAMgASgLMg8uam9zdGxlLnYxLlZlYzMSIQoIcm90YXRpb24YBCABKAsyDy5qb3N0bGUudjEuUXVhdBIoCg9saW5lYXJfdmVsb2NpdHkYBSABKAsyDy5qb3N0bGUudjEuVmVjMxIpChBhbmd1bGFyX3ZlbG9jaXR5GAYgASgLMg8uam9zdGxlLnYxLlZlYzMSGwoObGluZWFyX2RhbXBpbmcYByABKAFIAIgBARIcCg9hbmd1bGFyX2RhbXBpbmcYCCABKAFIAYgBARIaCg1ncmF2aXR5X3NjYWxlGAkgASgBSAKIAQESFgoJbWF5X3NsZWVwGAogASgISAOIAQESIAoGc2hhcGVzGAsgAygLMhAuam9zdGxlLnYxLlNoYXBlEhIKBWNvbG9yGAwgASgHSASIAQESIQoGcmVwZWF0GA0gAygLMhEuam9zdGxlLnYxLlJlcGVhdBIfCgVsb2NrcxgOIAEoCzIQLmpvc3RsZS52MS5Mb2NrcxIXCgpjb250aW51b3VzGA8gASgISAWIAQESEQoEbWFzcxgQIAEoAUgGiAEBQhEKD19saW5lYXJfZGFtcGluZ0ISChBfYW5ndWxhcl9kYW1waW5nQhAKDl9ncmF2aXR5X3NjYWxlQgwKCl9tYXlfc2xlZXBCCAoGX2NvbG9yQg0KC19jb250aW51b3VzQgcKBV9tYXNzIlgKBUxvY2tzEgkKAXgYASABKAgSCQoBeRgCIAEoCBIJCgF6GAMgASgIEg4KBnR1cm5feBgEIAEoCBIOCgZ0dXJuX3kYBSABKAgSDgoGdHVybl96GAYgASgIIjgKBlJlcGVhdBINCgVjb3VudBgBIAEoDRIfCgZvZmZzZXQYAiABKAsyDy5qb3N0bGUudjEuVmVjMyLFBwoFU2hhcGUSIwoGc3BoZXJlGAEgASgLMhEuam9zdGxlLnYxLlNwaGVyZUgAEiUKB2NhcHN1bGUYAiABKAsyEi5qb3N0bGUudjEuQ2Fwc3VsZUgAEh0KA2JveBgDIAEoCzIOLmpvc3RsZS52MS5Cb3hIABIhCgVwbGFuZRgEIAEoCzIQLmpvc3RsZS52MS5QbGFuZUgAEicKCGN5bGluZGVyGAogASgLMhMuam9zdGxlLnYxLkN5bGluZGVySAASHwoEY29uZRgLIAEoCzIPLmpvc3RsZS52MS5Db25lSAASHwoEaHVsbBgMIAEoCzIPLmpvc3RsZS52MS5IdWxsSAASHwoEbWVzaBgNIAEoCzIPLmpvc3RsZS52MS5NZXNoSAASLgoMaGVpZ2h0X2ZpZWxkGA4gASgLMhYuam9zdGxlLnYxLkhlaWdodEZpZWxkSAASJwoIY29tcG91bmQYDyABKAsyEy5qb3N0bGUudjEuQ29tcG91bmRIABIhCgVzb2xpZBgbIAEoCzIQLmpvc3RsZS52MS5Tb2xpZEgAEhIKCGdlb21ldHJ5GBkgASgGSAASIQoIcG9zaXRpb24YBSABKAsyDy5qb3N0bGUudjEuVmVjMxIhCghyb3RhdGlvbhgGIAEoCzIPLmpvc3RsZS52MS5RdWF0EhQKB2RlbnNpdHkYByABKAFIAYgBARIVCghmcmljdGlvbhgIIAEoAUgCiAEBEhgKC3Jlc3RpdHV0aW9uGAkgASgBSAOIAQESEQoEbWFzcxgQIAEoAUgEiAEBEh0KEHJvbGxpbmdfZnJpY3Rpb24YESABKAFIBYgBARIfChJ0b3JzaW9uYWxfZnJpY3Rpb24YEiABKAFIBogBARIpChBzdXJmYWNlX3ZlbG9jaXR5GBMgASgLMg8uam9zdGxlLnYxLlZlYzMSKQoNZnJpY3Rpb25fcnVsZRgUIAEoDjISLmpvc3RsZS52MS5Db21iaW5lEiwKEHJlc3RpdHV0aW9uX3J1bGUYFSABKA4yEi5qb3N0bGUudjEuQ29tYmluZRIhCgZmaWx0ZXIYFiABKAsyES5qb3N0bGUudjEuRmlsdGVyEg8KB3RyaWdnZXIYFyABKAgSFAoMcmVwb3J0X3N0YXlzGBggASgIQgYKBGtpbmRCCgoIX2RlbnNpdHlCCwoJX2ZyaWN0aW9uQg4KDF9yZXN0aXR1dGlvbkIHCgVfbWFzc0ITChFfcm9sbGluZ19mcmljdGlvbkIVChNfdG9yc2lvbmFsX2ZyaWN0aW9uIlcKBkZpbHRlchIVCghjYXRlZ29yeRgBIAEoDUgAiAEBEhEKBG1hc2sYAiABKA1IAYgBARINCgVncm91cBgDIAEoEUILCglfY2F0ZWdvcnlCBwoFX21hc2siGAoGU3BoZXJlEg4KBnJhZGl1cxgBIAEoASIuCgdDYXBzdWxlEg4KBnJhZGl1cxgBIAEoARITCgtoYWxmX2xlbmd0aBgCIAEoASIsCgNCb3gSJQoMaGFsZl9leHRlbnRzGAEgASgLMg8uam9zdGxlLnYxLlZlYzMiKAoFUGxhbmUSHwoGbm9ybWFsGAEgASgLMg8uam9zdGxlLnYxLlZlYzMiLwoIQ3lsaW5kZXISDgoGcmFkaXVzGAEgASgBEhMKC2hhbGZfbGVuZ3RoGAIgASgBIisKBENvbmUSDgoGcmFkaXVzGAEgASgBEhMKC2hhbGZfbGVuZ3RoGAIgASgBIicKBEh1bGwSHwoGcG9pbnRzGAEgAygLMg8uam9zdGxlLnYxLlZlYzMiOgoETWVzaBIhCgh2ZXJ0aWNlcxgBIAMoCzIPLmpvc3RsZS52MS5WZWMzEg8KB2luZGljZXMYAiADKA0iWQoFU29saWQSHQoEbWVzaBgBIAEoCzIPLmpvc3RsZS52MS5NZXNoEhEKCXBhcnRzX21heBgCIAEoDRITCgZleGNlc3MYAyABKAFIAIgBAUIJCgdfZXhjZXNzInIKC0hlaWdodEZpZWxkEg8KB2NvbHVtbnMYASABKA0SDAoEcm93cxgCIAEoDRIRCglzcGFjaW5nX3gYAyABKAESEQoJc3BhY2luZ196GAQgASgBEg8KB2hlaWdodHMYBSADKAESDQoFaG9sZXMYBiADKA0iLgoIQ29tcG91bmQSIgoIY2hpbGRyZW4YASADKAsyEC5qb3N0bGUudjEuU2hhcGUijQcKBUpvaW50EgwKBG5hbWUYASABKAkSDgoGYm9keV9hGAIgASgJEg4KBmJvZHlfYhgDIAEoCRIkCgVmcmFtZRgEIAEoCzIVLmpvc3RsZS52MS5Kb2ludEZyYW1lEiYKB2ZyYW1lX2EYBSABKAsyFS5qb3N0bGUudjEuSm9pbnRGcmFtZRImCgdmcmFtZV9iGAYgASgLMhUuam9zdGxlLnYxLkpvaW50RnJhbWUSJAoEYmFsbBgHIAEoCzIULmpvc3RsZS52MS5CYWxsSm9pbnRIABImCgVoaW5nZRgIIAEoCzIVLmpvc3RsZS52MS5IaW5nZUpvaW50SAASLwoKY29uZV90d2lzdBgJIAEoCzIZLmpvc3RsZS52MS5Db25lVHdpc3RKb2ludEgAEiYKBWZpeGVkGAogASgLMhUuam9zdGxlLnYxLkZpeGVkSm9pbnRIABIsCghkaXN0YW5jZRgLIAEoCzIYLmpvc3RsZS52MS5EaXN0YW5jZUpvaW50SAASLgoMdmVsb2NpdHlfcm93GBAgASgLMhYuam9zdGxlLnYxLlZlbG9jaXR5Um93SAASKAoGc2xpZGVyGBEgASgLMhYuam9zdGxlLnYxLlNsaWRlckpvaW50SAASKQoHc2l4X2RvZhgSIAEoCzIWLmpvc3RsZS52MS5TaXhEb2ZKb2ludEgAEiYKBXdoZWVsGBMgASgLMhUuam9zdGxlLnYxLldoZWVsSm9pbnRIABIkCgRncmFiGBQgASgLMhQuam9zdGxlLnYxLkdyYWJKb2ludEgAEiQKBGdlYXIYFSABKAsyFC5qb3N0bGUudjEuR2VhckpvaW50SAASJAoEcmFjaxgWIAEoCzIULmpvc3RsZS52MS5SYWNrSm9pbnRIABIoCgZwdWxsZXkYFyABKAsyFi5qb3N0bGUudjEuUHVsbGV5Sm9pbnRIABIkCgRwYXRoGBggASgLMhQuam9zdGxlLnYxLlBhdGhKb2ludEgAEhkKEWNvbGxpZGVfY29ubmVjdGVkGAwgASgIEhMKC2JyZWFrX2ZvcmNlGA0gASgBEhQKDGJyZWFrX3RvcnF1ZRgOIAEoARImCgZzb2x2ZXIYGSABKA4yFi5qb3N0bGUudjEuSm9pbnRTb2x2ZXISJgoGcmVwZWF0GA8gASgLMhYuam9zdGxlLnYxLkpvaW50UmVwZWF0QgYKBGtpbmQiPQoLSm9pbnRSZXBlYXQSDQoFY291bnQYASABKA0SHwoGb2Zmc2V0GAIgASgLMg8uam9zdGxlLnYxLlZlYzMiUgoKSm9pbnRGcmFtZRIhCghwb3NpdGlvbhgBIAEoCzIPLmpvc3RsZS52MS5WZWMzEiEKCHJvdGF0aW9uGAIgASgLMg8uam9zdGxlLnYxLlF1YXQiTQoJQmFsbEpvaW50EicKBWRyaXZlGAEgASgLMhguam9zdGxlLnYxLlJvdGF0aW9uRHJpdmUSFwoPZnJpY3Rpb25fdG9ycXVlGAIgASgBInsKDVJvdGF0aW9uRHJpdmUSIQoGc3ByaW5nGAEgASgLMhEuam9zdGxlLnYxLlNwcmluZxIfCgZ0YXJnZXQYAiABKAsyDy5qb3N0bGUudjEuUXVhdBIXCgptYXhfdG9ycXVlGAMgASgBSACIAQFCDQoLX21heF90b3JxdWUi1AEKCkhpbmdlSm9pbnQSJAoFbGltaXQYASABKAsyEC5qb3N0bGUudjEuTGltaXRIAIgBARIYCgttb3Rvcl9zcGVlZBgCIAEoAUgBiAEBEhgKEG1vdG9yX21heF90b3JxdWUYAyABKAESIQoGc3ByaW5nGAQgASgLMhEuam9zdGxlLnYxLlNwcmluZxIUCgxzcHJpbmdfYW5nbGUYBSABKAESGQoRc3ByaW5nX21heF90b3JxdWUYBiABKAFCCAoGX2xpbWl0Qg4KDF9tb3Rvcl9zcGVlZCKRAQoOQ29uZVR3aXN0Sm9pbnQSDQoFc3dpbmcYASABKAESJAoFdHdpc3QYAiABKAsyEC5qb3N0bGUudjEuTGltaXRIAIgBARIXCg9mcmljdGlvbl90b3JxdWUYAyABKAESJwoFZHJpdmUYBCABKAsyGC5qb3N0bGUudjEuUm90YXRpb25Ecml2ZUIICgZfdHdpc3QiUwoKRml4ZWRKb2ludBIhCgZsaW5lYXIYASABKAsyES5qb3N0bGUudjEuU3ByaW5nEiIKB2FuZ3VsYXIYAiABKAsyES5qb3N0bGUudjEuU3ByaW5nIm8KDURpc3RhbmNlSm9pbnQSEgoKbWluX2xlbmd0aBgBIAEoARISCgptYXhfbGVuZ3RoGAIgASgBEiEKBnNwcmluZxgDIAEoCzIRLmpvc3RsZS52MS5TcHJpbmcSEwoLcmVzdF9sZW5ndGgYBCABKAEi7AEKC1NsaWRlckpvaW50EiQKBWxpbWl0GAEgASgLMhAuam9zdGxlLnYxLkxpbWl0SACIAQESGAoLbW90b3Jfc3BlZWQYAiABKAFIAYgBARIXCg9tb3Rvcl9tYXhfZm9yY2UYAyABKAESIQoGc3ByaW5nGAQgASgLMhEuam9zdGxlLnYxLlNwcmluZxIVCg1zcHJpbmdfdHJhdmVsGAUgASgBEhYKDmZyaWN0aW9uX2ZvcmNlGAYgASgBEhgKEHNwcmluZ19tYXhfZm9yY2UYByABKAFCCAoGX2xpbWl0Qg4KDF9tb3Rvcl9zcGVlZCLiAQoLU2l4RG9mSm9pbnQSHwoBeBgBIAEoCzIULmpvc3RsZS52MS5Kb2ludEF4aXMSHwoBeRgCIAEoCzIULmpvc3RsZS52MS5Kb2ludEF4aXMSHwoBehgDIAEoCzIULmpvc3RsZS52MS5Kb2ludEF4aXMSJAoGdHVybl94GAQgASgLMhQuam9zdGxlLnYxLkpvaW50QXhpcxIkCgZ0dXJuX3kYBSABKAsyFC5qb3N0bGUudjEuSm9pbnRBeGlzEiQKBnR1cm5fehgGIAEoCzIULmpvc3RsZS52MS5Kb2ludEF4aXMi5AEKCUpvaW50QXhpcxIMCgRmcmVlGAEgASgIEiQKBWxpbWl0GAIgASgLMhAuam9zdGxlLnYxLkxpbWl0SACIAQESIQoGc3ByaW5nGAMgASgLMhEuam9zdGxlLnYxLlNwcmluZxIRCglzcHJpbmdfYXQYBCABKAESGAoLbW90b3Jfc3BlZWQYBSABKAFIAYgBARISCgptb3Rvcl9tb3N0GAYgASgBEhAKCGZyaWN0aW9uGAcgASgBEhMKC3NwcmluZ19tb3N0GAggASgBQggKBl9saW1pdEIOCgxfbW90b3Jfc3BlZWQiuwIKCldoZWVsSm9pbnQSJQoKc3VzcGVuc2lvbhgBIAEoCzIRLmpvc3RsZS52MS5TcHJpbmcSDAoEcmlkZRgCIAEoARIlCgZ0cmF2ZWwYAyABKAsyEC5qb3N0bGUudjEuTGltaXRIAIgBARIQCghzdGVlcmluZxgEIAEoARIVCg1mcmVlX3N0ZWVyaW5nGAUgASgIEi0KDnN0ZWVyaW5nX2xpbWl0GAYgASgLMhAuam9zdGxlLnYxLkxpbWl0SAGIAQESGAoLbW90b3Jfc3BlZWQYByABKAFIAogBARIYChBtb3Rvcl9tYXhfdG9ycXVlGAggASgBEhcKD2ZyaWN0aW9uX3RvcnF1ZRgJIAEoAUIJCgdfdHJhdmVsQhEKD19zdGVlcmluZ19saW1pdEIOCgxfbW90b3Jfc3BlZWQiiwEKCUdyYWJKb2ludBIfCgZ0YXJnZXQYASABKAsyDy5qb3N0bGUudjEuVmVjMxIhCgZzcHJpbmcYAiABKAsyES5qb3N0bGUudjEuU3ByaW5nEhYKCW1heF9mb3JjZRgDIAEoAUgAiAEBEhQKDHR1cm5fZGFtcGluZxgEIAEoAUIMCgpfbWF4X2ZvcmNlIikKCUdlYXJKb2ludBISCgVyYXRpbxgBIAEoAUgAiAEBQggKBl9yYXRpbyIrCglSYWNrSm9pbnQSEwoGcmFkaXVzGAEgASgBSACIAQFCCQoHX3JhZGl1cyJ/CgtQdWxsZXlKb2ludBIgCgdwb2ludF9hGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSIAoHcG9pbnRfYhgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEg4KBmxlbmd0aBgDIAEoARISCgVyYXRpbxgEIAEoAUgAiAEBQggKBl9yYXRpbyKhAgoJUGF0aEpvaW50Eh8KBnBvaW50cxgBIAMoCzIPLmpvc3RsZS52MS5WZWMzEhMKBnNtb290aBgCIAEoCEgAiAEBEg4KBmNsb3NlZBgDIAEoCBIkCgVsaW1pdBgEIAEoCzIQLmpvc3RsZS52MS5MaW1pdEgBiAEBEhgKC21vdG9yX3NwZWVkGAUgASgBSAKIAQESFwoPbW90b3JfbWF4X2ZvcmNlGAYgASgBEiEKBnNwcmluZxgHIAEoCzIRLmpvc3RsZS52MS5TcHJpbmcSFQoNc3ByaW5nX3RyYXZlbBgIIAEoARIWCg5mcmljdGlvbl9mb3JjZRgJIAEoAUIJCgdfc21vb3RoQggKBl9saW1pdEIOCgxfbW90b3Jfc3BlZWQimgIKC1ZlbG9jaXR5Um93EiEKCGxpbmVhcl9hGAEgASgLMg8uam9zdGxlLnYxLlZlYzMSIgoJYW5ndWxhcl9hGAIgASgLMg8uam9zdGxlLnYxLlZlYzMSIQoIbGluZWFyX2IYAyABKAsyDy5qb3N0bGUudjEuVmVjMxIiCglhbmd1bGFyX2IYBCABKAsyDy5qb3N0bGUudjEuVmVjMxISCgp3b3JsZF9heGVzGAUgASgIEg0KBXNwZWVkGAYgASgBEgwKBGJpYXMYByABKAESEAoIc29mdG5lc3MYCCABKAESEgoFbG93ZXIYCSABKAFIAIgBARISCgV1cHBlchgKIAEoAUgBiAEBQggKBl9sb3dlckIICgZfdXBwZXIiJQoFTGltaXQSDQoFbG93ZXIYASABKAESDQoFdXBwZXIYAiABKAEiRQoGU3ByaW5nEg0KBWhlcnR6GAEgASgBEhoKDWRhbXBpbmdfcmF0aW8YAiABKAFIAIgBAUIQCg5fZGFtcGluZ19yYXRpbyLgBQoGTW9kdWxlEgsKA3RhZxgBIAEoCRIxCghzZXR0aW5ncxgCIAMoCzIfLmpvc3RsZS52MS5Nb2R1bGUuU2V0dGluZ3NFbnRyeRItCgZib2RpZXMYAyADKAsyHS5qb3N0bGUudjEuTW9kdWxlLkJvZGllc0VudHJ5Eg0KBXN0YXRlGAQgASgMEjEKCmhvdmVyY3JhZnQYCiABKAsyGy5qb3N0bGUudjEuSG92ZXJjcmFmdE1vZHVsZUgAEi8KCWNoYXJhY3RlchgLIAEoCzIaLmpvc3RsZS52MS5DaGFyYWN0ZXJNb2R1bGVIABIrCgd2ZWhpY2xlGAwgASgLMhguam9zdGxlLnYxLlZlaGljbGVNb2R1bGVIABIpCgZmaWVsZHMYDSABKAsyFy5qb3N0bGUudjEuRmllbGRzTW9kdWxlSAASKwoHcmFnZG9sbBgOIAEoCzIYLmpvc3RsZS52MS5SYWdkb2xsTW9kdWxlSAASMwoLZGVzdHJ1Y3Rpb24YDyABKAsyHC5qb3N0bGUudjEuRGVzdHJ1Y3Rpb25Nb2R1bGVIABIlCgRib2F0GBAgASgLMhUuam9zdGxlLnYxLkJvYXRNb2R1bGVIABIvCglwYXJ0aWNsZXMYESABKAsyGi5qb3N0bGUudjEuUGFydGljbGVzTW9kdWxlSAASJwoFY3Jvd2QYEiABKAsyFi5qb3N0bGUudjEuQ3Jvd2RNb2R1bGVIABIlCgRyb3BlGBMgASgLMhUuam9zdGxlLnYxLlJvcGVNb2R1bGVIABInCgVjbG90aBgUIAEoCzIWLmpvc3RsZS52MS5DbG90aE1vZHVsZUgAGi8KDVNldHRpbmdzRW50cnkSCwoDa2V5GAEgASgJEg0KBXZhbHVlGAIgASgBOgI4ARotCgtCb2RpZXNFbnRyeRILCgNrZXkYASABKAkSDQoFdmFsdWUYAiABKAk6AjgBQgkKB29iamVjdHMqfAoLSm9pbnRTb2x2ZXISHAoYSk9JTlRfU09MVkVSX1VOU1BFQ0lGSUVEEAASGgoWSk9JTlRfU09MVkVSX0FVVE9NQVRJQxABEhoKFkpPSU5UX1NPTFZFUl9JVEVSQVRJVkUQAhIXChNKT0lOVF9TT0xWRVJfRElSRUNUEAMqhQEKCkJyb2FkUGhhc2USGwoXQlJPQURfUEhBU0VfVU5TUEVDSUZJRUQQABIcChhCUk9BRF9QSEFTRV9EWU5BTUlDX1RSRUUQARIeChpCUk9BRF9QSEFTRV9TT1JUX0FORF9TV0VFUBACEhwKGEJST0FEX1BIQVNFX1VOSUZPUk1fR1JJRBADKoQBCghCb2R5VHlwZRIZChVCT0RZX1RZUEVfVU5TUEVDSUZJRUQQABIUChBCT0RZX1RZUEVfU1RBVElDEAESEwoPQk9EWV9UWVBFX0ZJWEVEEAESFwoTQk9EWV9UWVBFX0tJTkVNQVRJQxACEhUKEUJPRFlfVFlQRV9EWU5BTUlDEAMaAhABKpMBCgdDb21iaW5lEhcKE0NPTUJJTkVfVU5TUEVDSUZJRUQQABITCg9DT01CSU5FX0FWRVJBR0UQARIaChZDT01CSU5FX0dFT01FVFJJQ19NRUFOEAISEwoPQ09NQklORV9NSU5JTVVNEAMSFAoQQ09NQklORV9NVUxUSVBMWRAEEhMKD0NPTUJJTkVfTUFYSU1VTRAFYgZwcm90bzM", [file_jostle_v1_common, file_jostle_v1_modules, file_jostle_v1_room]);
 
 /**
  * @generated from message jostle.v1.Scene
@@ -68,6 +68,13 @@ export type Scene = Message<"jostle.v1.Scene"> & {
   modules: Module[];
 
   /**
+   * initial view; absent: chosen by the viewer
+   *
+   * @generated from field: jostle.v1.View view = 7;
+   */
+  view?: View | undefined;
+
+  /**
    * makes a hosted world a room; absent: no room. It does not change the simulation
    *
    * @generated from field: jostle.v1.RoomSettings room = 20;
@@ -81,6 +88,41 @@ export type Scene = Message<"jostle.v1.Scene"> & {
  */
 export const SceneSchema: GenMessage<Scene> = /*@__PURE__*/
   messageDesc(file_jostle_v1_scene, 0);
+
+/**
+ * A camera position. It does not change the simulation.
+ *
+ * @generated from message jostle.v1.View
+ */
+export type View = Message<"jostle.v1.View"> & {
+  /**
+   * m, each component within 1e7
+   *
+   * @generated from field: jostle.v1.Vec3 eye = 1;
+   */
+  eye?: Vec3 | undefined;
+
+  /**
+   * m, each component within 1e7, at least 0.01 m from the eye
+   *
+   * @generated from field: jostle.v1.Vec3 target = 2;
+   */
+  target?: Vec3 | undefined;
+
+  /**
+   * rad, vertical, 0.1 to 2.5; 0: chosen by the viewer
+   *
+   * @generated from field: double field_of_view = 3;
+   */
+  fieldOfView: number;
+};
+
+/**
+ * Describes the message jostle.v1.View.
+ * Use `create(ViewSchema)` to create a new message.
+ */
+export const ViewSchema: GenMessage<View> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_scene, 1);
 
 /**
  * @generated from message jostle.v1.WorldSettings
@@ -184,7 +226,7 @@ export type WorldSettings = Message<"jostle.v1.WorldSettings"> & {
  * Use `create(WorldSettingsSchema)` to create a new message.
  */
 export const WorldSettingsSchema: GenMessage<WorldSettings> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 1);
+  messageDesc(file_jostle_v1_scene, 2);
 
 /**
  * @generated from message jostle.v1.Body
@@ -305,7 +347,7 @@ export type Body = Message<"jostle.v1.Body"> & {
  * Use `create(BodySchema)` to create a new message.
  */
 export const BodySchema: GenMessage<Body> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 2);
+  messageDesc(file_jostle_v1_scene, 3);
 
 /**
  * Locked degrees of freedom of a body, in world axes.
@@ -353,7 +395,7 @@ export type Locks = Message<"jostle.v1.Locks"> & {
  * Use `create(LocksSchema)` to create a new message.
  */
 export const LocksSchema: GenMessage<Locks> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 3);
+  messageDesc(file_jostle_v1_scene, 4);
 
 /**
  * @generated from message jostle.v1.Repeat
@@ -379,7 +421,7 @@ export type Repeat = Message<"jostle.v1.Repeat"> & {
  * Use `create(RepeatSchema)` to create a new message.
  */
 export const RepeatSchema: GenMessage<Repeat> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 4);
+  messageDesc(file_jostle_v1_scene, 5);
 
 /**
  * A shape of a body. Sizes are 0.0001 to 10,000 m, coordinates within 10,000 m.
@@ -570,7 +612,7 @@ export type Shape = Message<"jostle.v1.Shape"> & {
  * Use `create(ShapeSchema)` to create a new message.
  */
 export const ShapeSchema: GenMessage<Shape> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 5);
+  messageDesc(file_jostle_v1_scene, 6);
 
 /**
  * Collision filter. Two shapes of the same nonzero group always collide if the group is positive and never if it is
@@ -604,7 +646,7 @@ export type Filter = Message<"jostle.v1.Filter"> & {
  * Use `create(FilterSchema)` to create a new message.
  */
 export const FilterSchema: GenMessage<Filter> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 6);
+  messageDesc(file_jostle_v1_scene, 7);
 
 /**
  * @generated from message jostle.v1.Sphere
@@ -623,7 +665,7 @@ export type Sphere = Message<"jostle.v1.Sphere"> & {
  * Use `create(SphereSchema)` to create a new message.
  */
 export const SphereSchema: GenMessage<Sphere> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 7);
+  messageDesc(file_jostle_v1_scene, 8);
 
 /**
  * A capsule along the local y axis.
@@ -651,7 +693,7 @@ export type Capsule = Message<"jostle.v1.Capsule"> & {
  * Use `create(CapsuleSchema)` to create a new message.
  */
 export const CapsuleSchema: GenMessage<Capsule> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 8);
+  messageDesc(file_jostle_v1_scene, 9);
 
 /**
  * @generated from message jostle.v1.Box
@@ -670,7 +712,7 @@ export type Box = Message<"jostle.v1.Box"> & {
  * Use `create(BoxSchema)` to create a new message.
  */
 export const BoxSchema: GenMessage<Box> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 9);
+  messageDesc(file_jostle_v1_scene, 10);
 
 /**
  * A half-space: everything below the plane is solid. Static bodies only.
@@ -691,7 +733,7 @@ export type Plane = Message<"jostle.v1.Plane"> & {
  * Use `create(PlaneSchema)` to create a new message.
  */
 export const PlaneSchema: GenMessage<Plane> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 10);
+  messageDesc(file_jostle_v1_scene, 11);
 
 /**
  * A cylinder along the local y axis with flat ends.
@@ -719,7 +761,7 @@ export type Cylinder = Message<"jostle.v1.Cylinder"> & {
  * Use `create(CylinderSchema)` to create a new message.
  */
 export const CylinderSchema: GenMessage<Cylinder> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 11);
+  messageDesc(file_jostle_v1_scene, 12);
 
 /**
  * A cone along the local y axis: the base at -half_length, the tip at +half_length.
@@ -747,7 +789,7 @@ export type Cone = Message<"jostle.v1.Cone"> & {
  * Use `create(ConeSchema)` to create a new message.
  */
 export const ConeSchema: GenMessage<Cone> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 12);
+  messageDesc(file_jostle_v1_scene, 13);
 
 /**
  * The convex hull of 4 to 100,000 points that are not coplanar. At most 252 of them become vertices.
@@ -768,7 +810,7 @@ export type Hull = Message<"jostle.v1.Hull"> & {
  * Use `create(HullSchema)` to create a new message.
  */
 export const HullSchema: GenMessage<Hull> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 13);
+  messageDesc(file_jostle_v1_scene, 14);
 
 /**
  * A triangle mesh, for static and kinematic bodies. Both sides collide.
@@ -796,7 +838,7 @@ export type Mesh = Message<"jostle.v1.Mesh"> & {
  * Use `create(MeshSchema)` to create a new message.
  */
 export const MeshSchema: GenMessage<Mesh> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 14);
+  messageDesc(file_jostle_v1_scene, 15);
 
 /**
  * A closed mesh as a solid, for bodies of any type. It is decomposed into convex hulls that together contain it. Worlds
@@ -832,7 +874,7 @@ export type Solid = Message<"jostle.v1.Solid"> & {
  * Use `create(SolidSchema)` to create a new message.
  */
 export const SolidSchema: GenMessage<Solid> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 15);
+  messageDesc(file_jostle_v1_scene, 16);
 
 /**
  * Heights on a regular grid, centred on the local origin, for static and kinematic bodies. Both sides collide.
@@ -888,7 +930,7 @@ export type HeightField = Message<"jostle.v1.HeightField"> & {
  * Use `create(HeightFieldSchema)` to create a new message.
  */
 export const HeightFieldSchema: GenMessage<HeightField> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 16);
+  messageDesc(file_jostle_v1_scene, 17);
 
 /**
  * Several convex shapes as one, 1 to 60,000 children. Only kind, position and rotation of the children are used.
@@ -907,7 +949,7 @@ export type Compound = Message<"jostle.v1.Compound"> & {
  * Use `create(CompoundSchema)` to create a new message.
  */
 export const CompoundSchema: GenMessage<Compound> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 17);
+  messageDesc(file_jostle_v1_scene, 18);
 
 /**
  * Constrains two bodies, at least one of them dynamic.
@@ -1085,7 +1127,7 @@ export type Joint = Message<"jostle.v1.Joint"> & {
  * Use `create(JointSchema)` to create a new message.
  */
 export const JointSchema: GenMessage<Joint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 18);
+  messageDesc(file_jostle_v1_scene, 19);
 
 /**
  * @generated from message jostle.v1.JointRepeat
@@ -1111,7 +1153,7 @@ export type JointRepeat = Message<"jostle.v1.JointRepeat"> & {
  * Use `create(JointRepeatSchema)` to create a new message.
  */
 export const JointRepeatSchema: GenMessage<JointRepeat> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 19);
+  messageDesc(file_jostle_v1_scene, 20);
 
 /**
  * @generated from message jostle.v1.JointFrame
@@ -1135,7 +1177,7 @@ export type JointFrame = Message<"jostle.v1.JointFrame"> & {
  * Use `create(JointFrameSchema)` to create a new message.
  */
 export const JointFrameSchema: GenMessage<JointFrame> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 20);
+  messageDesc(file_jostle_v1_scene, 21);
 
 /**
  * Keeps the origins of the two frames together.
@@ -1163,7 +1205,7 @@ export type BallJoint = Message<"jostle.v1.BallJoint"> & {
  * Use `create(BallJointSchema)` to create a new message.
  */
 export const BallJointSchema: GenMessage<BallJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 21);
+  messageDesc(file_jostle_v1_scene, 22);
 
 /**
  * Rotates b's frame to a target orientation relative to a's frame.
@@ -1196,7 +1238,7 @@ export type RotationDrive = Message<"jostle.v1.RotationDrive"> & {
  * Use `create(RotationDriveSchema)` to create a new message.
  */
 export const RotationDriveSchema: GenMessage<RotationDrive> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 22);
+  messageDesc(file_jostle_v1_scene, 23);
 
 /**
  * Allows rotation about the common z axis of the frames. The angle is that of b's x axis relative to a's.
@@ -1252,7 +1294,7 @@ export type HingeJoint = Message<"jostle.v1.HingeJoint"> & {
  * Use `create(HingeJointSchema)` to create a new message.
  */
 export const HingeJointSchema: GenMessage<HingeJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 23);
+  messageDesc(file_jostle_v1_scene, 24);
 
 /**
  * Keeps the origins together and b's x axis in a cone about a's x axis. b twists about it within limits.
@@ -1292,7 +1334,7 @@ export type ConeTwistJoint = Message<"jostle.v1.ConeTwistJoint"> & {
  * Use `create(ConeTwistJointSchema)` to create a new message.
  */
 export const ConeTwistJointSchema: GenMessage<ConeTwistJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 24);
+  messageDesc(file_jostle_v1_scene, 25);
 
 /**
  * Keeps both frames together in position and rotation.
@@ -1320,7 +1362,7 @@ export type FixedJoint = Message<"jostle.v1.FixedJoint"> & {
  * Use `create(FixedJointSchema)` to create a new message.
  */
 export const FixedJointSchema: GenMessage<FixedJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 25);
+  messageDesc(file_jostle_v1_scene, 26);
 
 /**
  * Limits the distance between the origins of the frames. Rod: min == max. Rope: min 0. Spring: a frequency above 0,
@@ -1361,7 +1403,7 @@ export type DistanceJoint = Message<"jostle.v1.DistanceJoint"> & {
  * Use `create(DistanceJointSchema)` to create a new message.
  */
 export const DistanceJointSchema: GenMessage<DistanceJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 26);
+  messageDesc(file_jostle_v1_scene, 27);
 
 /**
  * b slides along the z axis of a's frame without rotating relative to it. The travel is the position of b's origin
@@ -1425,7 +1467,7 @@ export type SliderJoint = Message<"jostle.v1.SliderJoint"> & {
  * Use `create(SliderJointSchema)` to create a new message.
  */
 export const SliderJointSchema: GenMessage<SliderJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 27);
+  messageDesc(file_jostle_v1_scene, 28);
 
 /**
  * Three translations of b's origin along the axes of a's frame, and three rotations. Absent axes are locked. The
@@ -1476,7 +1518,7 @@ export type SixDofJoint = Message<"jostle.v1.SixDofJoint"> & {
  * Use `create(SixDofJointSchema)` to create a new message.
  */
 export const SixDofJointSchema: GenMessage<SixDofJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 28);
+  messageDesc(file_jostle_v1_scene, 29);
 
 /**
  * One degree of freedom of a SixDofJoint. Translations are within 1e6 m, rotations -pi to pi.
@@ -1546,7 +1588,7 @@ export type JointAxis = Message<"jostle.v1.JointAxis"> & {
  * Use `create(JointAxisSchema)` to create a new message.
  */
 export const JointAxisSchema: GenMessage<JointAxis> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 29);
+  messageDesc(file_jostle_v1_scene, 30);
 
 /**
  * The wheel b on the chassis a. The wheel travels along the y axis of a's frame, steers about it, and spins about the z
@@ -1622,7 +1664,7 @@ export type WheelJoint = Message<"jostle.v1.WheelJoint"> & {
  * Use `create(WheelJointSchema)` to create a new message.
  */
 export const WheelJointSchema: GenMessage<WheelJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 30);
+  messageDesc(file_jostle_v1_scene, 31);
 
 /**
  * Pulls the origin of b's frame to a target in a's frame.
@@ -1664,7 +1706,7 @@ export type GrabJoint = Message<"jostle.v1.GrabJoint"> & {
  * Use `create(GrabJointSchema)` to create a new message.
  */
 export const GrabJointSchema: GenMessage<GrabJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 31);
+  messageDesc(file_jostle_v1_scene, 32);
 
 /**
  * Keeps turn_a + ratio * turn_b at its initial value. Each body turns about the z axis of its frame. Its turn is
@@ -1686,7 +1728,7 @@ export type GearJoint = Message<"jostle.v1.GearJoint"> & {
  * Use `create(GearJointSchema)` to create a new message.
  */
 export const GearJointSchema: GenMessage<GearJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 32);
+  messageDesc(file_jostle_v1_scene, 33);
 
 /**
  * Rack and pinion: keeps travel_b - radius * turn_a at its initial value. The pinion a turns about the z axis of its
@@ -1708,7 +1750,7 @@ export type RackJoint = Message<"jostle.v1.RackJoint"> & {
  * Use `create(RackJointSchema)` to create a new message.
  */
 export const RackJointSchema: GenMessage<RackJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 33);
+  messageDesc(file_jostle_v1_scene, 34);
 
 /**
  * A rope from a's frame to a point of the world, over to another one, and to b's frame. length_a + ratio * length_b is
@@ -1751,7 +1793,7 @@ export type PulleyJoint = Message<"jostle.v1.PulleyJoint"> & {
  * Use `create(PulleyJointSchema)` to create a new message.
  */
 export const PulleyJointSchema: GenMessage<PulleyJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 34);
+  messageDesc(file_jostle_v1_scene, 35);
 
 /**
  * A bead on a wire. The origin of b's frame stays on a curve through points in a's frame, and b rotates freely. The
@@ -1829,7 +1871,7 @@ export type PathJoint = Message<"jostle.v1.PathJoint"> & {
  * Use `create(PathJointSchema)` to create a new message.
  */
 export const PathJointSchema: GenMessage<PathJoint> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 35);
+  messageDesc(file_jostle_v1_scene, 36);
 
 /**
  * One row of the velocity solver, for example a gear, a rack, a linear motor or a damper. Its rate is
@@ -1910,7 +1952,7 @@ export type VelocityRow = Message<"jostle.v1.VelocityRow"> & {
  * Use `create(VelocityRowSchema)` to create a new message.
  */
 export const VelocityRowSchema: GenMessage<VelocityRow> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 36);
+  messageDesc(file_jostle_v1_scene, 37);
 
 /**
  * @generated from message jostle.v1.Limit
@@ -1932,7 +1974,7 @@ export type Limit = Message<"jostle.v1.Limit"> & {
  * Use `create(LimitSchema)` to create a new message.
  */
 export const LimitSchema: GenMessage<Limit> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 37);
+  messageDesc(file_jostle_v1_scene, 38);
 
 /**
  * @generated from message jostle.v1.Spring
@@ -1958,7 +2000,7 @@ export type Spring = Message<"jostle.v1.Spring"> & {
  * Use `create(SpringSchema)` to create a new message.
  */
 export const SpringSchema: GenMessage<Spring> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 38);
+  messageDesc(file_jostle_v1_scene, 39);
 
 /**
  * A module: a component that takes part in each step, with its own settings and state. The program that builds the
@@ -2076,7 +2118,7 @@ export type Module = Message<"jostle.v1.Module"> & {
  * Use `create(ModuleSchema)` to create a new message.
  */
 export const ModuleSchema: GenMessage<Module> = /*@__PURE__*/
-  messageDesc(file_jostle_v1_scene, 39);
+  messageDesc(file_jostle_v1_scene, 40);
 
 /**
  * Solver of joints. All joints of a group are solved by the same solver. Of the values that the joints of a group set,

@@ -1,0 +1,83 @@
+// SPDX-License-Identifier: MIT
+#include "server/world/timeline.h"
+
+#include <algorithm>
+#include <string>
+#include <utility>
+
+#include "jostle/base/check.h"
+
+namespace jostle::server {
+
+namespace {
+
+// Memory of a restore point and of the host state; docs/guides/operator/rooms.md states them.
+constexpr std::size_t bytes_per_body = 2048, bytes_per_contact = 1024;
+
+std::size_t bytes_of(const HostedWorld& world) {
+    const auto contacts = static_cast<std::size_t>(std::max(0, world.world().profile().touching));
+    return bytes_per_body * (world.entities() + 1) + bytes_per_contact * contacts;
+}
+
+}  // namespace
+
+void Timeline::on_tick(std::uint32_t tick, bool stepped, const HostedWorld& world,
+                       std::uint32_t seconds, std::uint32_t oldest_tick) {
+    const std::size_t before = states_.size();
+    const std::uint32_t last = states_.empty() ? 0 : states_.back().tick;
+    const std::size_t states_max = seconds == 0 ? 0 : seconds + 1;
+    while (states_.size() > states_max ||
+           (!stores_states_ && !states_.empty() && states_.front().tick < oldest_tick))
+        drop_oldest();
+    if (stepped) steps_since_++;
+    if (seconds > 0 && (states_.empty() || steps_since_ >= hz_)) {
+        steps_since_ = 0;
+        const std::size_t bytes = stores_states_ ? bytes_of(world) : 0;
+        while (!states_.empty() && (states_.size() == states_max || bytes_ + bytes > bytes_max))
+            drop_oldest();
+        if (bytes <= bytes_max) {
+            State& state = states_.emplace_back();
+            state.tick = tick;
+            state.bytes = bytes;
+            bytes_ += bytes;
+            if (stores_states_) {
+                state.bodies = std::move(spare_);
+                state.bodies.capture(world.world());
+                state.host_state = world.host_state(tick);
+            }
+        }
+    }
+    if (states_.size() != before || (!states_.empty() && states_.back().tick != last)) publish();
+    if (seconds == 0) spare_ = {};
+}
+
+void Timeline::drop_oldest() {
+    bytes_ -= states_.front().bytes;
+    if (stores_states_) spare_ = std::move(states_.front().bodies);
+    states_.pop_front();
+}
+
+void Timeline::publish() {
+    auto ticks = std::make_shared<std::vector<std::uint32_t>>();
+    for (const State& state : states_) ticks->push_back(state.tick);
+    ASSERT(std::ranges::is_sorted(*ticks));
+    ticks_ = std::move(ticks);
+}
+
+bool Timeline::contains(std::uint32_t tick) const {
+    return std::ranges::binary_search(*ticks_, tick);
+}
+
+Result<HostedWorld> Timeline::world_at(std::uint32_t tick, const HostLimits& limits, int threads,
+                                       double work_per_second) const {
+    const auto at = std::ranges::find(states_, tick, &State::tick);
+    if (at == states_.end() || at->bodies.empty())
+        return Error{ErrorCode::not_found,
+                     "the timeline of the room does not contain tick " + std::to_string(tick)};
+    physics::World world;
+    if (Status s = at->bodies.restore(world); !s.ok()) return s.error();
+    if (Status s = world.set_threads(threads); !s.ok()) return s.error();
+    return HostedWorld::restore(std::move(world), at->host_state, limits, hz_, work_per_second);
+}
+
+}  // namespace jostle::server

@@ -17,10 +17,10 @@ using namespace physics;
 
 namespace {
 
-// Passes over the contacts in a sub-step.
-constexpr int passes = 4;
 // Share of an overlap that a contact removes in a sub-step, and its greatest speed, m/s.
 constexpr double overlap_share = 0.2, separation_speed = 1;
+// Stiffness of a contact relative to m / h^2 of its nodes.
+constexpr double relative_stiffness = 30;
 // Contacts are looked at within this share of the sum of the radii.
 constexpr double near_share = 0.5;
 
@@ -142,15 +142,9 @@ bool RopeContacts::may_touch(const Candidate& pair) const {
 
 // ---- contacts ----
 
-double RopeContacts::inverse_mass(Link link, std::uint32_t end) const {
+double RopeContacts::node_response(Link link, std::uint32_t end) const {
     if (link.rope >= moving_) return 0;
-    const Rope& rope = *ropes_[link.rope];
-    const std::uint32_t node = link.link + end;
-    // Supports get the forces, but not the corrections.
-    const auto attachment =
-        std::ranges::lower_bound(rope.attachments, node, {}, &RopeAttachment::node);
-    if (attachment != rope.attachments.end() && attachment->node == node) return 0;
-    return 1 / node_mass(rope.strand, node);
+    return 1 / node_mass(ropes_[link.rope]->strand, link.link + end);
 }
 
 // Finds the points, the normal and the gap. Returns whether the links are near each other.
@@ -167,14 +161,12 @@ bool RopeContacts::place(Contact& c) const {
     c.at_b = t;
     const LinkContact* saved = saved_contact(a, c.a.link, b.key.number, c.b.link, false);
     if (saved != nullptr) {
-        c.impulse = saved->impulse;
-        c.slip = saved->friction;
-    } else {
-        saved = saved_contact(a, c.a.link, b.key.number, c.b.link, true);
+        c.preload = saved->impulse * h_;
+        c.drag = saved->friction * h_;
     }
     // The axes have crossed if the normal has turned over.
     Vec3 along = apart;
-    if (saved != nullptr && dot(apart, saved->normal) < 0) {
+    if (saved != nullptr && dot(apart, saved->normal) < -0.7 * distance && saved->impulse > 0) {
         along = -apart;
         distance = -distance;
     }
@@ -184,8 +176,11 @@ bool RopeContacts::place(Contact& c) const {
         c.normal = saved->normal;
     else
         return false;
+    c.apart = apart;
     c.gap = distance - radii;
-    c.slip -= c.normal * dot(c.slip, c.normal);
+    // Out of an overlap little by little.
+    c.wanted = minimum(0, minimum((1 - overlap_share) * c.gap, c.gap + separation_speed * h_));
+    c.drag -= c.normal * dot(c.drag, c.normal);
     return true;
 }
 
@@ -195,89 +190,89 @@ void RopeContacts::find_contacts() {
         Contact c{.a = pair.a, .b = pair.b};
         if (!place(c)) continue;
         const Rope &a = *ropes_[c.a.rope], &b = *ropes_[c.b.rope];
-        const double response = (1 - c.at_a) * (1 - c.at_a) * inverse_mass(c.a, 0) +
-                                c.at_a * c.at_a * inverse_mass(c.a, 1) +
-                                (1 - c.at_b) * (1 - c.at_b) * inverse_mass(c.b, 0) +
-                                c.at_b * c.at_b * inverse_mass(c.b, 1);
-        if (!(response > 0)) continue;
-        c.mass = 1 / response;
+        const double response = (1 - c.at_a) * (1 - c.at_a) * node_response(c.a, 0) +
+                                c.at_a * c.at_a * node_response(c.a, 1) +
+                                (1 - c.at_b) * (1 - c.at_b) * node_response(c.b, 0) +
+                                c.at_b * c.at_b * node_response(c.b, 1);
+        c.stiffness = relative_stiffness / response;
         c.friction = square_root(a.def.friction * b.def.friction);
         contacts_.push_back(c);
     }
 }
 
-void RopeContacts::push_as_before(double h) {
+void RopeContacts::begin_substep(double h) {
+    h_ = h;
     find_contacts();
-    const auto push = [this, h](Link link, double at, Vec3 impulse) {
-        if (link.rope >= moving_) return;
-        Rope& rope = *ropes_[link.rope];
-        rope.forces.resize(rope.strand.positions.size());
-        rope.forces[link.link] += impulse * ((1 - at) / h);
-        rope.forces[link.link + 1] += impulse * (at / h);
-    };
-    for (const Contact& c : contacts_) {
-        const Vec3 impulse = c.normal * c.impulse + c.slip;
-        if (impulse == Vec3{}) continue;
-        push(c.a, c.at_a, impulse);
-        push(c.b, c.at_b, -impulse);
-    }
 }
 
-Vec3 RopeContacts::velocity(const Contact& c) const {
+Vec3 RopeContacts::apart(const Contact& c) const {
     const auto at = [this](Link link, double fraction) {
-        if (link.rope >= moving_) return Vec3{};
-        const auto& v = ropes_[link.rope]->strand.velocities;
-        return v[link.link] * (1 - fraction) + v[link.link + 1] * fraction;
+        const auto& x = ropes_[link.rope]->strand.positions;
+        return x[link.link] * (1 - fraction) + x[link.link + 1] * fraction;
     };
     return at(c.a, c.at_a) - at(c.b, c.at_b);
 }
 
-void RopeContacts::kick(Link link, double at, Vec3 impulse, double h) {
-    if (link.rope >= moving_) return;
-    Strand& strand = ropes_[link.rope]->strand;
-    for (const std::uint32_t end : {0u, 1u}) {
-        const double weight = end == 0 ? 1 - at : at;
-        const Vec3 change = impulse * (weight * inverse_mass(link, end));
-        strand.velocities[link.link + end] += change;
-        strand.positions[link.link + end] += change * h;
+Vec3 RopeContacts::force(const Contact& c, Symmetric3& stiffness, double& normal,
+                         Vec3& drag) const {
+    const Vec3 moved = apart(c) - c.apart;
+    const double along = dot(c.normal, moved);
+    normal = maximum(0, c.preload + c.stiffness * (c.wanted - c.gap - along));
+    drag = {};
+    stiffness = {};
+    if (normal == 0) return {};
+    stiffness = outer(c.normal, c.stiffness);
+    if (c.friction == 0) return c.normal * normal;
+    drag = c.drag - (moved - c.normal * along) * c.stiffness;
+    double k = c.stiffness;
+    const double size = length(drag), limit = c.friction * normal;
+    if (size > limit) {
+        k *= limit / size;
+        drag *= limit / size;
+    }
+    stiffness = stiffness + (scalar_matrix(1) - outer(c.normal, 1)) * k;
+    return c.normal * normal + drag;
+}
+
+void RopeContacts::add_to(const Strand& strand, StrandScratch& rows) const {
+    for (const Contact& c : contacts_) {
+        const bool on_a = &ropes_[c.a.rope]->strand == &strand;
+        const bool on_b = c.b.rope < moving_ && &ropes_[c.b.rope]->strand == &strand;
+        if (!on_a && !on_b) continue;
+        Symmetric3 stiffness;
+        double normal = 0;
+        Vec3 drag;
+        const Vec3 push = force(c, stiffness, normal, drag);
+        if (normal == 0) continue;
+        stiffness = stiffness * 2;
+        const auto add = [&](std::uint32_t link, double at, Vec3 on_link) {
+            const double a = 1 - at, b = at;
+            rows.nodes[link].right += on_link * a;
+            rows.nodes[link + 1].right += on_link * b;
+            rows.nodes[link].diagonal = rows.nodes[link].diagonal + stiffness * (a * a);
+            rows.nodes[link + 1].diagonal = rows.nodes[link + 1].diagonal + stiffness * (b * b);
+            if (a == 0 || b == 0) return;
+            rows.cross[link].block = rows.cross[link].block + stiffness * (a * b);
+            rows.cross[link].any = true;
+        };
+        if (on_a) add(c.a.link, c.at_a, push);
+        if (on_b) add(c.b.link, c.at_b, -push);
     }
 }
-void RopeContacts::kick(const Contact& c, Vec3 impulse, double h) {
-    kick(c.a, c.at_a, impulse, h);
-    kick(c.b, c.at_b, -impulse, h);
-}
 
-void RopeContacts::resolve(double h) {
-    for (int pass = 0; pass < passes; pass++)
-        for (Contact& c : contacts_) {
-            const Vec3 v = velocity(c);
-            const double wanted =
-                c.gap > 0 ? -c.gap / h : minimum(-overlap_share * c.gap / h, separation_speed);
-            const double before = c.impulse;
-            c.impulse = maximum(0, before + (wanted - dot(c.normal, v)) * c.mass);
-            Vec3 impulse = c.normal * (c.impulse - before);
-            if (c.friction > 0) {
-                const Vec3 slip_before = c.slip;
-                c.slip -= (v - c.normal * dot(c.normal, v)) * c.mass;
-                const double limit = c.friction * c.impulse, size = length(c.slip);
-                if (size > limit) c.slip *= limit / size;
-                impulse += c.slip - slip_before;
-            }
-            if (impulse != Vec3{}) kick(c, impulse, h);
-        }
-    save();
-}
-
-void RopeContacts::save() {
+void RopeContacts::end_substep() {
     for (std::size_t r = 0; r < moving_; r++) ropes_[r]->link_contacts.clear();
     for (const Contact& c : contacts_) {
-        Rope& rope = *ropes_[c.a.rope];
-        rope.link_contacts.push_back({.link = c.a.link,
-                                      .other = ropes_[c.b.rope]->key.number,
-                                      .other_link = c.b.link,
-                                      .normal = c.normal,
-                                      .impulse = c.impulse,
-                                      .friction = c.slip});
+        Symmetric3 unused;
+        double normal = 0;
+        Vec3 drag;
+        static_cast<void>(force(c, unused, normal, drag));
+        ropes_[c.a.rope]->link_contacts.push_back({.link = c.a.link,
+                                                   .other = ropes_[c.b.rope]->key.number,
+                                                   .other_link = c.b.link,
+                                                   .normal = c.normal,
+                                                   .impulse = normal / h_,
+                                                   .friction = drag * (1 / h_)});
     }
     for (std::size_t r = 0; r < moving_; r++)
         std::ranges::sort(ropes_[r]->link_contacts, {}, place_of);

@@ -47,15 +47,17 @@ public:
         make_travels();
         apply_fields(substep_.time + part * h_);
     }
-    void solve() {
-        advance_strand(rope_.strand,
-                       {.h = h_,
-                        .gravity = substep_.gravity,
-                        .forces = rope_.forces,
-                        .loads = rope_.loads,
-                        .clamps = rope_.clamps,
-                        .contacts = rope_.strand_contacts},
-                       rope_.scratch);
+    StrandJob job(const LinkForces* link_forces) {
+        return {.strand = &rope_.strand,
+                .input = {.h = h_,
+                          .gravity = substep_.gravity,
+                          .forces = rope_.forces,
+                          .loads = rope_.loads,
+                          .clamps = rope_.clamps,
+                          .contacts = rope_.strand_contacts,
+                          .link_forces = link_forces,
+                          .iterations_max = link_forces == nullptr ? 12 : 30},
+                .scratch = &rope_.scratch};
     }
     void end() {
         take_impulses();
@@ -346,11 +348,15 @@ void advance(Rope& rope, const RopeSubstep& substep, int count) {
         member->bodies.read(substep.group);
     }
     const bool ropes_touch = !rope.rope_contacts.empty();
+    std::vector<StrandJob> jobs;
     for (int n = 0; n < parts; n++) {
         for (Advance& each : advances) each.begin(n);
-        if (ropes_touch) rope.rope_contacts.push_as_before(h);
-        for (Advance& each : advances) each.solve();
-        if (ropes_touch) rope.rope_contacts.resolve(h);
+        if (ropes_touch) rope.rope_contacts.begin_substep(h);
+        jobs.clear();
+        for (Advance& each : advances)
+            jobs.push_back(each.job(ropes_touch ? &rope.rope_contacts : nullptr));
+        advance_strands(jobs);
+        if (ropes_touch) rope.rope_contacts.end_substep();
         for (Advance& each : advances) each.end();
     }
     for (Rope* member : members) {

@@ -91,6 +91,18 @@ struct StrandContact {
     physics::Vec3 impulse = {};            // on the obstacle, N s
 };
 
+struct Strand;
+struct StrandScratch;
+
+// Forces between links, of one or several strands, that depend on where they end the sub-step.
+class LinkForces {
+public:
+    virtual ~LinkForces() = default;
+    // Adds the forces on a strand at the current positions of all of them to its rows, times h^2,
+    // and a stiffness that bounds their derivative.
+    virtual void add_to(const Strand& strand, StrandScratch& rows) const = 0;
+};
+
 struct SubstepInput {
     double h = 0;                                // s
     physics::Vec3 gravity = {};                  // m/s^2
@@ -98,6 +110,7 @@ struct SubstepInput {
     std::span<NodeLoad> loads = {};              // at most one per node
     std::span<Clamp> clamps = {};                // at held ends
     std::span<StrandContact> contacts = {};
+    const LinkForces* link_forces = nullptr;
     int iterations_max = 12;
 };
 
@@ -122,6 +135,13 @@ struct StrandScratch {
 double node_mass(const Strand& strand, std::size_t node);
 // Advances a strand by a sub-step. Returns the number of Newton iterations.
 int advance_strand(Strand& strand, const SubstepInput& input, StrandScratch& scratch);
+// The same for strands with common LinkForces: they iterate in turn.
+struct StrandJob {
+    Strand* strand = nullptr;
+    SubstepInput input = {};
+    StrandScratch* scratch = nullptr;
+};
+void advance_strands(std::span<StrandJob> jobs);
 // Kinetic energy, elastic energy, and their sum with the weight, J.
 double strand_energy(const Strand& strand, physics::Vec3 gravity);
 

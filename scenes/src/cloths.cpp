@@ -89,7 +89,6 @@ void add_curtain(SceneDescription& scene, SceneModule& cloths, double z, std::ui
         ClothObject(21, 5, {-2.8 + 0.56 * k, height - 0.02, z}, {width, 0, 0}, {0, -3, 0})
             .set("hang", 1)
             .set("thickness", 0.02)
-            .set("collide_cloths", 0)  // they hang closer than that
             .set("friction", 0.2)
             .set("damping", 0.5)
             .set("mass_per_area", 0.4)

@@ -10,6 +10,7 @@
 #include "jostle/scenes/shape_message.h"
 #include "jostle/snapshot/entity_list.h"
 #include "jostle/v1/play.pb.h"
+#include "server/messages/message_parts.h"
 
 namespace jostle::server {
 
@@ -38,18 +39,6 @@ Difference difference_of(const EntityList& from, const EntityList& to) {
         }
     }
     return difference;
-}
-
-v1::BodyType to_message(physics::BodyType type) {
-    switch (type) {
-        case physics::BodyType::static_body:
-            return v1::BODY_TYPE_STATIC;
-        case physics::BodyType::kinematic:
-            return v1::BODY_TYPE_KINEMATIC;
-        case physics::BodyType::dynamic:
-            return v1::BODY_TYPE_DYNAMIC;
-    }
-    return v1::BODY_TYPE_UNSPECIFIED;
 }
 
 // The mass of the entity alone then determines its mass distribution.

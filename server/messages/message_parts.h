@@ -7,8 +7,13 @@
 #include <string>
 #include <string_view>
 
+#include "jostle/physics/defs.h"
 #include "jostle/physics/vec3.h"
 #include "jostle/v1/common.pb.h"
+
+namespace jostle::v1 {
+enum BodyType : int;
+}
 
 namespace jostle::server {
 
@@ -28,5 +33,7 @@ inline void write_vector(v1::Vec3& to, physics::Vec3 from) {
     to.set_y(from.y);
     to.set_z(from.z);
 }
+
+v1::BodyType to_message(physics::BodyType type);
 
 }  // namespace jostle::server

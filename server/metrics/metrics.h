@@ -41,7 +41,7 @@ constexpr auto names_of(SkipReason) {
     return std::to_array<std::string_view>({"window", "pending", "rate", "encodings"});
 }
 
-// What the bytes that the server sends to clients contain.
+// Kinds of content of the bytes that the server sends to clients.
 enum class TrafficKind {
     entities,  // entity updates and large shapes
     poses,     // with the cells of an area of interest

@@ -26,18 +26,6 @@ void write_rotation(v1::Quat& to, const physics::Quat& from) {
     to.set_w(from.w);
 }
 
-v1::BodyType type_of(physics::BodyType type) {
-    switch (type) {
-        case physics::BodyType::static_body:
-            return v1::BODY_TYPE_STATIC;
-        case physics::BodyType::kinematic:
-            return v1::BODY_TYPE_KINEMATIC;
-        case physics::BodyType::dynamic:
-            return v1::BODY_TYPE_DYNAMIC;
-    }
-    return v1::BODY_TYPE_UNSPECIFIED;
-}
-
 double coordinate_of(const physics::JointState& joint) {
     if (std::holds_alternative<physics::HingeJoint>(joint.def.kind)) return joint.angle;
     if (std::holds_alternative<physics::SliderJoint>(joint.def.kind)) return joint.travel;
@@ -73,7 +61,7 @@ void write_body(v1::InspectedBody& to, const BodyInspection& from) {
     const physics::BodyState& body = from.state;
     to.set_entity(entity.id);
     to.set_name(entity.name);
-    to.set_type(type_of(entity.type));
+    to.set_type(to_message(entity.type));
     to.set_owner(entity.owner);
     write_vector(*to.mutable_position(), body.pose.position);
     write_rotation(*to.mutable_rotation(), body.pose.rotation);

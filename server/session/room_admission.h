@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// Who may join a room: its bans, its join code and its capacity. A world that is no room admits
+// Admission to a room by its bans, its join code and its capacity. A world that is no room admits
 // everybody. Any thread.
 #pragma once
 
@@ -16,7 +16,7 @@
 
 namespace jostle::server {
 
-// What identifies a caller across sessions (RoomClient::member).
+// The identity of a caller across sessions (RoomClient::member).
 std::string member_of(const Identity& who, std::string_view address);
 // The entry of a client of this caller.
 EnterRoom room_entry(const Identity& who, std::string_view address, bool spectator);

@@ -10,6 +10,7 @@
 
 #include "jostle/base/check.h"
 #include "server/util/text.h"
+#include "server/world/action_target.h"
 
 namespace jostle::server {
 
@@ -20,9 +21,6 @@ namespace {
 constexpr std::size_t bans_max = 1000, grants_max = 1000;
 // Buckets hold the energy of this time, and the explosions of this one.
 constexpr double energy_seconds = 2, explosion_seconds = 10;
-// Actions change the speed of a body by at most this (modules/player_interaction).
-constexpr double speed_change_max = 20;     // m/s
-constexpr double explosion_mass = 1000;     // kg, of the crate that ExplodeInput.speed refers to
 constexpr double vote_seconds = 60;         // until a vote ends without a result
 constexpr double vote_pause_seconds = 120;  // between two votes that a client begins
 constexpr double vote_ban_seconds = 300;
@@ -34,116 +32,6 @@ Error denied(std::string message) {
 
 Error no_such_client(ClientId client) {
     return {ErrorCode::not_found, fmt::format("client {} is not in the room", client)};
-}
-
-// What an action touches. Nothing: the action needs no permission, because it ends something or
-// continues what a permission began.
-struct Target {
-    RoomAction action;
-    TargetOwner owner = TargetOwner::no_target;
-    std::optional<Vec3> point = {};
-    double radius = 0;
-    std::optional<Vec3> second_point = {};  // of a joint
-};
-
-Target on_entity(const HostedState& world, ClientId client, RoomAction action, EntityId id) {
-    const Entity* const entity = world.entities.find(id);
-    if (!entity) return {action};  // apply_action() refuses it
-    const ClientId owner = entity->description->owner;
-    const Result<BodyState> body = world.world.body(entity->body);
-    return {.action = action,
-            .owner = owner == client         ? TargetOwner::self
-                     : owner == scene_client ? TargetOwner::scene
-                                             : TargetOwner::other,
-            .point = body.ok() ? std::optional(body->pose.position) : std::nullopt};
-}
-
-// Two bodies: the rights of the one to which fewer roles have access.
-Target on_pair(const HostedState& world, ClientId client, EntityId a, EntityId b) {
-    Target target = on_entity(world, client, RoomAction::joints, b);
-    if (a == 0) return target;
-    const Target other = on_entity(world, client, RoomAction::joints, a);
-    target.owner = std::max(target.owner, other.owner);
-    target.second_point = other.point;
-    return target;
-}
-
-Target on_joint(const HostedState& world, ClientId client, JointId id) {
-    Target target{.action = RoomAction::joints};
-    const Result<JointState> joint = world.world.joint(id);
-    if (!joint.ok()) return target;  // apply_action() refuses it
-    // A joint without an owner belongs to the scene.
-    const ClientId owner = world.joint_owners.owner_of(id);
-    target.owner = owner == client         ? TargetOwner::self
-                   : owner == scene_client ? TargetOwner::scene
-                                           : TargetOwner::other;
-    const auto position = [&](BodyId body) -> std::optional<Vec3> {
-        const Result<BodyState> state = world.world.body(body);
-        return state.ok() ? std::optional(state->pose.position) : std::nullopt;
-    };
-    target.point = position(joint->def.body_b);
-    target.second_point = position(joint->def.body_a);
-    return target;
-}
-
-// An undo requires the permission for the action that reverts the other one.
-std::optional<Target> on_undo(const HostedState& world, ClientId client) {
-    const UndoStep* const step = world.undo.newest(client);
-    if (!step) return std::nullopt;
-    switch (step->kind) {
-        case UndoStep::Kind::spawned:
-            return on_entity(world, client, RoomAction::remove, step->entities.front());
-        case UndoStep::Kind::deleted:
-            return Target{.action = RoomAction::spawn};
-        case UndoStep::Kind::edited:
-            return on_entity(world, client, RoomAction::edit, step->entities.front());
-        case UndoStep::Kind::joint_created:
-            return on_joint(world, client, step->joint);
-        case UndoStep::Kind::joint_deleted:
-            return on_pair(world, client, step->joints.front().entity_a,
-                           step->joints.front().entity_b);
-    }
-    return std::nullopt;
-}
-
-std::optional<Target> target_of(const HostedState& world, ClientId client, const Action& action) {
-    if (const auto* edit = std::get_if<EditCommand>(&action)) {
-        Target target = on_entity(world, client, RoomAction::edit, edit->entity);
-        target.second_point = edit->position;
-        return target;
-    }
-    if (const auto* clone = std::get_if<CloneCommand>(&action)) {
-        Target target = on_entity(world, client, RoomAction::clone, clone->entity);
-        if (target.point) target.point = *target.point + clone->offset;
-        return target;
-    }
-    if (const auto* joint = std::get_if<CreateJointCommand>(&action))
-        return on_pair(world, client, joint->entity_a, joint->entity_b);
-    if (const auto* joint = std::get_if<DeleteJointCommand>(&action))
-        return on_joint(world, client, joint->target);
-    if (std::holds_alternative<UndoCommand>(action)) return on_undo(world, client);
-    if (const auto* spawn = std::get_if<SpawnCommand>(&action))
-        return Target{.action = RoomAction::spawn, .point = spawn->pose.position};
-    if (const auto* push = std::get_if<ImpulseCommand>(&action)) {
-        if (push->deformable) return Target{RoomAction::push, TargetOwner::scene, push->point};
-        return on_entity(world, client, RoomAction::push, push->entity);
-    }
-    if (const auto* grab = std::get_if<GrabCommand>(&action)) {
-        if (grab->deformable) return Target{RoomAction::drag, TargetOwner::scene, grab->point};
-        return on_entity(world, client, RoomAction::drag, grab->entity);
-    }
-    if (const auto* drag = std::get_if<DragCommand>(&action))
-        return Target{.action = RoomAction::drag, .point = drag->target};
-    if (const auto* remove = std::get_if<DeleteCommand>(&action))
-        return on_entity(world, client, RoomAction::remove, remove->entity);
-    if (const auto* explode = std::get_if<ExplodeCommand>(&action))
-        return Target{
-            .action = RoomAction::explode, .point = explode->center, .radius = explode->radius};
-    if (const auto* cut = std::get_if<CutCommand>(&action))
-        return Target{RoomAction::joints, TargetOwner::scene, cut->point};
-    if (const auto* possess = std::get_if<PossessCommand>(&action); possess && possess->entity != 0)
-        return on_entity(world, client, RoomAction::control, possess->entity);
-    return std::nullopt;
 }
 
 std::string_view describe(TargetOwner owner) {
@@ -158,57 +46,6 @@ std::string_view describe(TargetOwner owner) {
             break;
     }
     return "";
-}
-
-// J. An estimate: of the speed that the action gives to a body at rest.
-double energy_of(const HostedState& world, const Action& action, EntityId affected) {
-    const auto mass_of = [&](EntityId id) {
-        const Entity* const entity = world.entities.find(id);
-        return entity ? entity->description->mass : 0.0;
-    };
-    if (const auto* spawn = std::get_if<SpawnCommand>(&action))
-        return 0.5 * mass_of(affected) * dot(spawn->linear_velocity, spawn->linear_velocity);
-    if (const auto* edit = std::get_if<EditCommand>(&action)) {
-        if (!edit->linear_velocity) return 0;
-        return 0.5 * mass_of(edit->entity) * dot(*edit->linear_velocity, *edit->linear_velocity);
-    }
-    if (const auto* push = std::get_if<ImpulseCommand>(&action)) {
-        const double impulse = length(push->impulse);
-        if (push->deformable) return 0.5 * impulse * speed_change_max;
-        const double mass = mass_of(push->entity);
-        const double speed = mass > 0 ? std::min(impulse / mass, speed_change_max) : 0;
-        return 0.5 * mass * speed * speed;
-    }
-    if (const auto* explode = std::get_if<ExplodeCommand>(&action))
-        return 0.5 * explosion_mass * explode->speed * explode->speed;
-    return 0;
-}
-
-bool needs_energy(const Action& action) {
-    const auto* const edit = std::get_if<EditCommand>(&action);
-    return (edit && edit->linear_velocity) || std::holds_alternative<SpawnCommand>(action) ||
-           std::holds_alternative<ImpulseCommand>(action) ||
-           std::holds_alternative<ExplodeCommand>(action);
-}
-
-struct AddedObjects {
-    std::size_t bodies = 0, joints = 0;
-};
-
-AddedObjects added_objects(const HostedState& world, ClientId client, const Action& action) {
-    if (std::holds_alternative<SpawnCommand>(action)) return {.bodies = 1};
-    if (std::holds_alternative<CreateJointCommand>(action)) return {.joints = 1};
-    if (const auto* clone = std::get_if<CloneCommand>(&action)) {
-        const JointedGroup group = jointed_group(world, clone->entity, clone->jointed);
-        return {group.entities.size(), group.joints.size()};
-    }
-    if (!std::holds_alternative<UndoCommand>(action)) return {};
-    const UndoStep* const step = world.undo.newest(client);
-    if (!step) return {};
-    const auto own =
-        static_cast<std::size_t>(std::ranges::count(step->joints, client, &UndoStep::Joint::owner));
-    return {.bodies = step->kind == UndoStep::Kind::deleted && step->owner == client ? 1u : 0u,
-            .joints = own};
 }
 
 double explosions_max(const RoleQuotas& quotas) {
@@ -304,7 +141,7 @@ Status Room::may_send_message(ClientId client) const {
 }
 
 Status Room::check(const HostedState& world, const RoomClient& client, const Action& action) const {
-    const Target target = *target_of(world, client.client, action);
+    const ActionTarget target = *target_of(world, client.client, action);
     const PermissionTable& table = state_.properties.permissions;
     if (table.allows(client.role, target.action, target.owner)) return {};
     return denied(fmt::format("room.permissions: {0}.{1} is {2}; the role {0} may not {1}{3}",
@@ -316,7 +153,7 @@ Status Room::check(const HostedState& world, const RoomClient& client, const Act
 Status Room::check_areas(const HostedState& world, const RoomClient& client,
                          const Action& action) const {
     if (state_.properties.areas.empty()) return {};
-    const Target target = *target_of(world, client.client, action);
+    const ActionTarget target = *target_of(world, client.client, action);
     if (!target.point) return {};
     for (const ProtectedArea& area : state_.properties.areas)
         if (client.role < area.min_role &&
@@ -781,66 +618,6 @@ Status Room::apply(HostedState&, RoomClient* by, const UpdateRoom& c) {
     state_.properties = *c.properties;
     // Buckets of other quotas begin full.
     for (RoomClient& client : state_.clients) set_role(client, client.role);
-    return {};
-}
-
-// --- untrusted values ---
-
-namespace {
-
-Status check_reason(std::string_view field, const std::string& reason) {
-    if (reason.size() > RoomCommand::reason_bytes_max)
-        return invalid_argument(fmt::format("{} has {} bytes; at most {} are allowed", field,
-                                            reason.size(), RoomCommand::reason_bytes_max));
-    if (has_control_character(reason))
-        return invalid_argument(
-            fmt::format("{} contains control characters or invalid UTF-8", field));
-    return {};
-}
-
-Status check_seconds(std::string_view field, double seconds) {
-    if (0 <= seconds && seconds <= RoomCommand::seconds_max) return {};
-    return invalid_argument(fmt::format("{} is {:g}; it must be from 0 to {:.0f}", field, seconds,
-                                        RoomCommand::seconds_max));
-}
-
-}  // namespace
-
-Status check_room_command(const RoomCommand& command) {
-    if (const auto* kick = std::get_if<KickClient>(&command.kind))
-        return check_reason("kick.reason", kick->reason);
-    if (const auto* ban = std::get_if<BanClient>(&command.kind)) {
-        if (Status s = check_seconds("ban.seconds", ban->seconds); !s.ok()) return s;
-        return check_reason("ban.reason", ban->reason);
-    }
-    if (const auto* mute = std::get_if<MuteClient>(&command.kind))
-        return check_seconds("mute.seconds", mute->seconds);
-    if (const auto* unban = std::get_if<UnbanMember>(&command.kind);
-        unban && unban->member.size() > RoomCommand::member_bytes_max)
-        return invalid_argument(fmt::format("unban.member has {} bytes; at most {} are allowed",
-                                            unban->member.size(), RoomCommand::member_bytes_max));
-    if (const auto* step = std::get_if<StepRoom>(&command.kind);
-        step && (step->steps == 0 || step->steps > StepRoom::steps_max))
-        return invalid_argument(fmt::format("step.steps is {}; it must be from 1 to {}",
-                                            step->steps, StepRoom::steps_max));
-    if (const auto* speed = std::get_if<SetRoomSpeed>(&command.kind);
-        speed &&
-        (speed->percent < SetRoomSpeed::percent_min || speed->percent > SetRoomSpeed::percent_max ||
-         speed->percent % SetRoomSpeed::percent_step != 0))
-        return invalid_argument(
-            fmt::format("speed.percent is {}; it must be a multiple of {} "
-                        "from {} to {}",
-                        speed->percent, SetRoomSpeed::percent_step, SetRoomSpeed::percent_min,
-                        SetRoomSpeed::percent_max));
-    if (const auto* protect = std::get_if<ProtectArea>(&command.kind))
-        return check_area(protect->area);
-    if (const auto* update = std::get_if<UpdateRoom>(&command.kind))
-        return check_properties(*update->properties);
-    if (const auto* unprotect = std::get_if<UnprotectArea>(&command.kind);
-        unprotect && unprotect->name.size() > RoomProperties::area_name_bytes_max)
-        return invalid_argument(fmt::format("unprotect.name has {} bytes; at most {} are allowed",
-                                            unprotect->name.size(),
-                                            RoomProperties::area_name_bytes_max));
     return {};
 }
 

@@ -47,6 +47,7 @@ EXEMPT = {
     ("docs/guides/operator/deploy.md", "kubectl apply -k deploy/kubernetes/base"): "needs a cluster: scripts/deploy-check",
     ("docs/guides/operator/deploy.md", """jq -r '.packages[] | select(.name == "libssl3") | .versionInfo, .sourceInfo' sbom.spdx.json"""): "needs jq and an installation: scripts/install-check",
     ("docs/guides/operator/deploy.md", "id=$(docker create jostle-server)"): "needs Docker: scripts/image-check",
+    ("docs/guides/operator/rooms.md", "jostlectl room show track"): "names clients of the reader's own: tests/tools/ctl",
     ("docs/guides/operator/secure.md",
      "jostlectl --server play.example.org:50051 --ca ca.pem --cert operator.pem --key operator.key clients"): "a server of the reader: scripts/tls-check",
     ("docs/guides/operator/secure.md",

@@ -70,10 +70,10 @@ Sheet::Sheet(const ClothDef& def) : topology_(sheet_topology(def)) {
     torn_.assign(topology_.edges.size(), 0);
     for (std::size_t k = 0; k < size(); k++) set_inverse_mass(k, free_inverse_mass(k));
     build_arrays();
-    const std::vector<Vec3> points = initial_positions(def);
-    set_root({std::floor(points[0].x + 0.5), std::floor(points[0].y + 0.5),
-              std::floor(points[0].z + 0.5)});
-    for (std::size_t k = 0; k < size(); k++) set_position(k, points[k]);
+    initial_ = initial_positions(def);
+    set_root({std::floor(initial_[0].x + 0.5), std::floor(initial_[0].y + 0.5),
+              std::floor(initial_[0].z + 0.5)});
+    for (std::size_t k = 0; k < size(); k++) set_position(k, initial_[k]);
     rebase();
 }
 

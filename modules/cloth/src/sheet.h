@@ -54,6 +54,8 @@ public:
 
     std::size_t size() const { return topology_.rest.size(); }
     const SheetTopology& topology() const { return topology_; }
+    // Where each vertex started, m.
+    const std::vector<physics::Vec3>& initial() const { return initial_; }
 
     physics::Vec3 position(std::size_t vertex) const;
     physics::Vec3 velocity(std::size_t vertex) const;
@@ -122,6 +124,7 @@ private:
     SheetArrays arrays();
 
     SheetTopology topology_;
+    std::vector<physics::Vec3> initial_;
     physics::Vec3 root_ = {};
     std::vector<SheetNode> nodes_;   // and one that pads the arrays
     std::vector<float> velocities_;  // 4 per vertex, the last is 0, m/s

@@ -69,8 +69,8 @@ std::array<double, 2> closest_on_segments(Vec3 a0, Vec3 a1, Vec3 b0, Vec3 b1) {
     return {s, t};
 }
 
-// Boxes by the cell of their low corner. No box is longer than a cell. What is found, and in which
-// order, depends on the boxes and on the order of add() only.
+// Boxes by the cell of their low corner. No box is longer than a cell. The results and their order
+// depend on the boxes and on the order of add() only.
 class Grid {
 public:
     explicit Grid(double size) : size_(size), scale_(1 / size) {}
@@ -186,9 +186,11 @@ double SheetContacts::friction(std::uint32_t part, std::uint32_t other) const {
     if (part == other) return parts_[part].of.friction;
     return square_root(parts_[part].of.friction * parts_[other].of.friction);
 }
-Vec3 SheetContacts::rest(std::uint32_t vertex) const {
+Vec3 SheetContacts::rest(std::uint32_t vertex, bool in_cloth) const {
     const Part& part = parts_[part_of(vertex)];
-    return part.of.sheet->topology().rest[vertex - part.first];
+    const Sheet& sheet = *part.of.sheet;
+    return in_cloth ? sheet.topology().rest[vertex - part.first]
+                    : sheet.initial()[vertex - part.first];
 }
 Vec3 SheetContacts::start_of(std::uint32_t vertex) const {
     const SheetNode& n = *nodes_[vertex];
@@ -323,11 +325,10 @@ void SheetContacts::separate(std::span<const std::uint32_t> vertices,
         apart += end_of(vertices[k]) * weights[k];
         relative += moved_of(vertices[k]) * weights[k];
         response += inverse_mass(vertices[k]) * weights[k] * weights[k];
-        if (part == other) apart_at_rest += rest(vertices[k]) * weights[k];
+        apart_at_rest += rest(vertices[k], part == other) * weights[k];
     }
-    double distance_min = gap(part, other);
-    // Neighbours at rest are closer than the gap if the mesh is finer than it.
-    if (part == other) distance_min = minimum(distance_min, 0.8 * length(apart_at_rest));
+    // Neighbours in a mesh that is finer than the gap, and cloths that started closer, remain so.
+    const double distance_min = minimum(gap(part, other), 0.8 * length(apart_at_rest));
     const double distance = length(apart);
     if (distance >= distance_min || !(distance > 1e-9) || !(response > 0)) return;
     const Vec3 n = apart * (1 / distance);

@@ -28,10 +28,10 @@ struct ContactSheet {
 // Finds all vertices near faces and edges near edges that are apart by less than a reach, and
 // bounds the motion of each vertex until the next search to a share of the distance to the nearest
 // of them, or to the reach. Two primitives that both move by less than half of their distance
-// cannot cross (displacement bounds of Offset Geometric Contact, Chen et al. 2025). Nor can they if
-// all vertices move by a common amount besides: the mean motion is not bounded, and what a bound
-// takes from the momentum of a vertex is given back to all of them. Not state: the search of a step
-// depends on the positions at its start.
+// cannot cross (displacement bounds of Offset Geometric Contact, Chen et al. 2025). A common motion
+// of all vertices changes no distance, so the mean motion is free, and the momentum that bounds
+// take from vertices is distributed over all of them. Not state: the search of a step depends on
+// the positions at its start.
 class SheetContacts {
 public:
     // Starts a step: forgets earlier searches.
@@ -68,7 +68,8 @@ private:
     bool may_touch(std::uint32_t part, std::uint32_t other) const;
     double gap(std::uint32_t part, std::uint32_t other) const;
     double friction(std::uint32_t part, std::uint32_t other) const;
-    physics::Vec3 rest(std::uint32_t vertex) const;
+    // In the cloth at rest, or, for contacts of different cloths, where it started, m.
+    physics::Vec3 rest(std::uint32_t vertex, bool in_cloth) const;
     physics::Vec3 start_of(std::uint32_t vertex) const;
     physics::Vec3 moved_of(std::uint32_t vertex) const;
     physics::Vec3 end_of(std::uint32_t vertex) const { return start_of(vertex) + moved_of(vertex); }

@@ -4,6 +4,7 @@
 
 import { readFileSync } from 'node:fs';
 import { checkAccessibility, layoutProblems } from './acceptance.mjs';
+import { setName } from './chromium.mjs';
 
 const WIDE = { width: 1440, height: 900 };
 const PHONE = { width: 390, height: 844 };
@@ -35,6 +36,7 @@ export async function testSandbox({ browser, url, post, until, expect, screensho
   const errors = [];
   const open = async (options) => {
     const context = await browser.newContext({ acceptDownloads: true, ...options });
+    await setName(context);
     const page = await context.newPage();
     page.setDefaultTimeout(60_000);
     page.on('pageerror', (error) => errors.push(String(error)));
@@ -300,20 +302,26 @@ export async function testPhonePanels({ page, until, expect, take }) {
     ['Build', 'build', 'input'],
     ['Plots', 'plots', 'figure'],
   ]) {
-    await page.locator('#panel-buttons [aria-controls=menu]').tap();
-    await page.locator(`#menu .menu button[aria-label="${title}"]`).tap();
+    // Clicks, because a slow page takes a touch for a long press.
+    await page.locator('#panel-buttons [aria-controls=menu]').click();
+    await page.locator(`#menu .menu button[aria-label="${title}"]`).click();
     await until(`the panel ${id} is loaded`, () => page.locator(`#${id} ${ready}`).count());
     const problems = await layoutProblems(page, TARGET_MIN);
     expect(problems.length === 0, `phone, ${id}: targets have 44 pixels and fit the page ${problems.join('; ')}`);
     await checkAccessibility(page, `phone, ${id}`, expect);
     await take(page, `sandbox-phone-${id}`);
-    await page.locator(`#${id} .close`).tap();
+    await page.locator(`#${id} .close`).click();
   }
-  await page.locator('#tools button[data-tool=inspect]').tap();
+  await page.locator('#tools button[data-tool=inspect]').click();
   const [crate] = await page.evaluate(() => window.jostle.dynamicBodies().filter((id) => window.jostle.entityName(id) === 'crate'));
-  const at = await page.evaluate((id) => window.jostle.screenPosition(id), crate);
-  await page.touchscreen.tap(at.x, at.y);
-  await until('a tap inspects the crate', async () => (await page.evaluate(() => window.jostle.inspected?.mass)) === 1000);
+  await until('a tap inspects the crate', async () => {
+    if ((await page.evaluate(() => window.jostle.inspected?.mass)) === 1000) return true;
+    await page.keyboard.press('Escape'); // the menu of a long press
+    const at = await page.evaluate((id) => window.jostle.screenPosition(id), crate);
+    await page.touchscreen.tap(at.x, at.y);
+    await new Promise((resolve) => setTimeout(resolve, 2000));
+    return false;
+  });
   const problems = await layoutProblems(page, TARGET_MIN);
   expect(problems.length === 0, `phone, inspected body: targets have 44 pixels and fit the page ${problems.join('; ')}`);
   await take(page, 'sandbox-phone-inspected');

@@ -1,4 +1,4 @@
-// What a user may do to another player: for themselves, and as the default permissions of rooms allow.
+// The actions of a user on another player: local ones, and those that the default permissions of rooms allow.
 // The server decides; a room may have other permissions (docs/guides/operator/rooms.md).
 
 import { PlayerRole } from '@jostle/client/gen/play_pb';

@@ -1,4 +1,4 @@
-// What the spawn tools create: size, mass, material and color, within the limits of SpawnInput.
+// Options of the spawn tools: size, mass, material and color, within the limits of SpawnInput.
 
 import type { Input } from '@jostle/client';
 

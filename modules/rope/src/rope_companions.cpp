@@ -6,6 +6,7 @@
 
 #include "jostle/modules/companions.h"
 #include "jostle/physics/scalar.h"
+#include "modules/rope/src/rope_contacts.h"
 #include "modules/rope/src/rope_step.h"
 
 namespace jostle::modules::rope_detail {
@@ -57,7 +58,7 @@ void forget_companion(std::span<const std::unique_ptr<Rope>> ropes, const Rope& 
         std::erase_if(rope->link_contacts, [&](const LinkContact& contact) {
             return contact.other == removed.key.number;
         });
-        rope->rope_contacts.forget();
+        if (rope->rope_contacts != nullptr) rope->rope_contacts->forget();
     }
 }
 

@@ -4,12 +4,12 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "jostle/modules/carried_bodies.h"
 #include "jostle/modules/rope_def.h"
 #include "jostle/physics/nearby_shapes.h"
-#include "modules/rope/src/rope_contacts.h"
 #include "modules/rope/src/strand.h"
 
 namespace jostle::modules::rope_detail {
@@ -28,10 +28,12 @@ struct LinkContact {
     std::uint32_t link = 0;
     std::uint32_t other = 0;  // number of the key of the other rope
     std::uint32_t other_link = 0;
-    physics::Vec3 normal = {};    // unit, towards `link`
-    double impulse = 0;           // N s, of a sub-step, along the normal on `link`
-    physics::Vec3 friction = {};  // N s, likewise, across it
+    physics::Vec3 normal = {};  // unit, towards `link`
+    double distance = 0;        // m, of the axes, that it demands
+    physics::Vec3 force = {};   // N, on `link`
 };
+
+class RopeContacts;
 
 struct Rope {
     RopeKey key;
@@ -65,7 +67,8 @@ struct Rope {
     Rope* leader = nullptr;         // of others than this one; null: it leads
     std::vector<Rope*> companions;  // of a leader, by key
     std::vector<Rope*> obstacles;   // of a leader: asleep, by key
-    RopeContacts rope_contacts;     // of a leader
+    // Of a leader that may touch others or itself; null otherwise.
+    std::shared_ptr<RopeContacts> rope_contacts;
 };
 
 inline std::vector<Support> supports_of(const Rope& rope) {

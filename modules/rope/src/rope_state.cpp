@@ -121,14 +121,14 @@ void visit_link_contacts(StateVisitor& v, Rope& rope) {
         v.field("other", contact.other);
         v.field("other_link", contact.other_link);
         v.field("normal", contact.normal);
-        v.field("impulse", contact.impulse);
-        v.field("friction", contact.friction);
+        v.field("distance", contact.distance);
+        v.field("force", contact.force);
         if (!v.loading() || v.failed()) return;
         if (contact.link >= rope.strand.links()) v.fail("link", "does not exist");
         if (!is_within(contact.normal, 1.001)) v.fail("normal", "is longer than 1");
-        if (!(contact.impulse >= 0 && contact.impulse <= tension_max))
-            v.fail("impulse", "is out of range");
-        if (!is_within(contact.friction, tension_max)) v.fail("friction", "is out of range");
+        if (!(contact.distance > 0 && contact.distance <= 2 * 10))
+            v.fail("distance", "is out of range; must be above 0 and at most 20 m");
+        if (!is_within(contact.force, tension_max)) v.fail("force", "is out of range");
     });
     if (!v.loading() || v.failed()) return;
     const auto place = [](const LinkContact& c) {

@@ -2,11 +2,13 @@
 #include "modules/rope/src/rope_step.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
 #include <vector>
 
 #include "jostle/base/check.h"
 #include "jostle/physics/scalar.h"
+#include "modules/rope/src/rope_contacts.h"
 #include "modules/rope/src/rope_winch.h"
 
 namespace jostle::modules::rope_detail {
@@ -47,7 +49,7 @@ public:
         make_travels();
         apply_fields(substep_.time + part * h_);
     }
-    StrandJob job(const LinkForces* link_forces) {
+    StrandJob job(bool coupled) {
         return {.strand = &rope_.strand,
                 .input = {.h = h_,
                           .gravity = substep_.gravity,
@@ -55,8 +57,8 @@ public:
                           .loads = rope_.loads,
                           .clamps = rope_.clamps,
                           .contacts = rope_.strand_contacts,
-                          .link_forces = link_forces,
-                          .iterations_max = link_forces == nullptr ? 12 : 30},
+                          .coupled = coupled,
+                          .iterations_max = coupled ? 16 : 12},
                 .scratch = &rope_.scratch};
     }
     void end() {
@@ -328,9 +330,14 @@ void find_bodies(World& world, Rope& rope, double dt) {
         return !rope.bodies.is_attached_to(body.id);
     });
     if (rope.leader != nullptr) return;
+    if (rope.companions.empty() && rope.obstacles.empty() && !rope.def.collide_self) {
+        rope.rope_contacts = nullptr;
+        return;
+    }
     std::vector<Rope*> members{&rope};
     members.insert(members.end(), rope.companions.begin(), rope.companions.end());
-    rope.rope_contacts.begin_step(members, rope.obstacles, dt, world.gravity());
+    if (rope.rope_contacts == nullptr) rope.rope_contacts = std::make_shared<RopeContacts>();
+    rope.rope_contacts->begin_step(members, rope.obstacles, dt, world.gravity());
 }
 
 void advance(Rope& rope, const RopeSubstep& substep, int count) {
@@ -340,23 +347,29 @@ void advance(Rope& rope, const RopeSubstep& substep, int count) {
     int least = 1;
     for (const Rope* member : members)
         least = std::max(least, static_cast<int>(member->def.substeps));
-    const int parts = (least + count - 1) / count;
+    const bool ropes_touch = rope.rope_contacts != nullptr && !rope.rope_contacts->empty();
+    int parts = (least + count - 1) / count;
+    if (ropes_touch)
+        parts = rope.rope_contacts->parts_of(substep.h, parts);
+    else
+        for (Rope* member : members) member->link_contacts.clear();
     const double h = substep.h / parts;
     std::vector<Advance> advances;
     for (Rope* member : members) {
         advances.emplace_back(*member, substep, parts, substep.h * count);
         member->bodies.read(substep.group);
     }
-    const bool ropes_touch = !rope.rope_contacts.empty();
     std::vector<StrandJob> jobs;
     for (int n = 0; n < parts; n++) {
         for (Advance& each : advances) each.begin(n);
-        if (ropes_touch) rope.rope_contacts.begin_substep(h);
+        const bool coupled = ropes_touch && rope.rope_contacts->begin_substep(h);
         jobs.clear();
-        for (Advance& each : advances)
-            jobs.push_back(each.job(ropes_touch ? &rope.rope_contacts : nullptr));
-        advance_strands(jobs);
-        if (ropes_touch) rope.rope_contacts.end_substep();
+        for (Advance& each : advances) jobs.push_back(each.job(coupled));
+        if (coupled)
+            advance_strands(jobs, *rope.rope_contacts);
+        else
+            for (const StrandJob& job : jobs) advance_strand(*job.strand, job.input, *job.scratch);
+        if (ropes_touch) rope.rope_contacts->end_substep();
         for (Advance& each : advances) each.end();
     }
     for (Rope* member : members) {

@@ -19,10 +19,10 @@ namespace {
 
 namespace pb = google::protobuf;
 
-constexpr std::array<std::string_view, 13> available = {
-    "GetServerStatus", "ListClients", "Kick",      "Ban",     "Unban",
-    "ListBans",        "SetPaused",   "StepWorld", "GetRoom", "ModerateRoom",
-    "RemoveBodies",    "UndoClient",  "Drain"};
+constexpr std::array<std::string_view, 14> available = {
+    "GetServerStatus", "ListClients", "Kick",      "Ban",        "Unban",
+    "ListBans",        "SetPaused",   "StepWorld", "GetRoom",    "ModerateRoom",
+    "RemoveBodies",    "UndoClient",  "Drain",     "ListReports"};
 
 std::unique_ptr<pb::Message> make(const pb::Descriptor& type) {
     return std::unique_ptr<pb::Message>(

@@ -297,6 +297,7 @@ Result<ClientMessage> decode(const v1::Hello& hello) {
                                .resumable = hello.resumable(),
                                .resume = std::move(resume),
                                .joints = hello.joints(),
+                               .room = hello.room(),
                                .players = hello.players(),
                                .attributes = hello.attributes(),
                                .topics = {hello.topics().begin(), hello.topics().end()},
@@ -327,6 +328,10 @@ Result<ClientMessage> decode(const v1::InputBatch& batch) {
 }
 
 }  // namespace
+
+Result<Action> decode_input(const v1::Input& input) {
+    return action_of(input);
+}
 
 bool looks_like_inputs(std::string_view bytes) {
     constexpr auto tag = static_cast<char>(v1::ClientMessage::kInputFieldNumber << 3 | 2);

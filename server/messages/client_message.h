@@ -16,6 +16,10 @@
 #include "server/replication/pose_cache.h"
 #include "server/world/command.h"
 
+namespace jostle::v1 {
+class Input;
+}
+
 namespace jostle::server {
 
 inline constexpr std::uint32_t protocol_version = 1;
@@ -48,6 +52,7 @@ struct Hello {
     };
     std::optional<Resume> resume = {};
     bool joints = false;
+    bool room = false;
     bool players = false, attributes = false;
     std::vector<std::string> topics = {};  // of user messages; "*": all
     std::optional<std::uint32_t> color = {};
@@ -75,6 +80,8 @@ using ClientMessage = std::variant<Hello, InputBatch, Ack, Ping, Leave, Interest
 
 // Decodes the bytes of one ClientMessage. An error rejects the entire message.
 Result<ClientMessage> decode_client_message(std::string_view bytes);
+// Decodes one input. An error names the field.
+Result<Action> decode_input(const v1::Input& input);
 // Whether the bytes look like an InputBatch, which should be processed at once. Accepts arbitrary
 // bytes.
 bool looks_like_inputs(std::string_view bytes);

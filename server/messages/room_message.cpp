@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "server/messages/room_message.h"
 
+#include <google/protobuf/io/coded_stream.h>
+#include <google/protobuf/io/zero_copy_stream_impl_lite.h>
 #include <spdlog/fmt/fmt.h>
 
 #include <algorithm>
@@ -124,6 +126,34 @@ void write_room(v1::RoomSettings& to, const RoomProperties& room) {
         write_vector(*message.mutable_max(), area.max);
         message.set_min_role(std::string(name_of(area.min_role)));
     }
+}
+
+void write_ban(v1::RoomBan& to, const RoomBan& ban) {
+    to.set_member(ban.member);
+    to.set_reason(ban.reason);
+    to.set_permanent(ban.until == 0);
+}
+
+std::string encode_room_update(const RoomState& room, PlayerRole role) {
+    const auto may = [&](RoomAction action) {
+        return room.properties.permissions.of(role, action) != Reach::none;
+    };
+    v1::Snapshot fields;
+    v1::RoomUpdate& update = *fields.mutable_room();
+    write_room(*update.mutable_settings(), room.properties);
+    if (may(RoomAction::settings))
+        update.mutable_settings()->set_join_code(room.properties.join_code);
+    if (may(RoomAction::ban))
+        for (const RoomBan& ban : room.bans) write_ban(*update.add_bans(), ban);
+    // Maps have no order of their own.
+    std::string bytes;
+    {
+        google::protobuf::io::StringOutputStream stream(&bytes);
+        google::protobuf::io::CodedOutputStream out(&stream);
+        out.SetSerializationDeterministic(true);
+        fields.SerializeToCodedStream(&out);
+    }
+    return bytes;
 }
 
 Result<RoomCommand> room_command_from_message(const v1::RoomInput& input) {

@@ -10,8 +10,10 @@
 #include "jostle/base/result.h"
 #include "server/world/room_command.h"
 #include "server/world/room_properties.h"
+#include "server/world/room_state.h"
 
 namespace jostle::v1 {
+class RoomBan;
 class RoomInput;
 class RoomSettings;
 }  // namespace jostle::v1
@@ -26,6 +28,9 @@ Result<v1::RoomSettings> settings_from_scene(const std::string& bytes);
 // Entries of `permissions` and `quotas` only where the room differs from a default one. Without the
 // join code.
 void write_room(v1::RoomSettings& to, const RoomProperties& room);
+void write_ban(v1::RoomBan& to, const RoomBan& ban);
+// The field Snapshot.room for the clients of a role. Equal rooms have equal bytes.
+std::string encode_room_update(const RoomState& room, PlayerRole role);
 
 // The ranges of the values are checked with those of other inputs (limits/admission.h).
 Result<RoomCommand> room_command_from_message(const v1::RoomInput& input);

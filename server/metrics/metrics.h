@@ -143,6 +143,8 @@ struct Metrics {
     Histograms tick_seconds =
         histograms("jostle_tick_duration_seconds",
                    "Duration of one tick of a world: inputs, step, frame and responses.");
+    Histograms tick_lateness = histograms(
+        "jostle_tick_lateness_seconds", "Time from when a tick of a world was due until it began.");
     Counters late_ticks =
         counters("jostle_late_ticks_total",
                  "Ticks of a world that were skipped because it was later than the catch-up "

@@ -29,6 +29,7 @@ WorldMetrics::Series WorldMetrics::acquire_series() {
         return metrics_.pauses.Add({{"world", world_}, {"cause", name}});
     };
     return {.tick_seconds = &metrics_.tick_seconds.Add(labels, tick_buckets),
+            .tick_lateness = &metrics_.tick_lateness.Add(labels, tick_buckets),
             .late_ticks = &metrics_.late_ticks.Add(labels),
             .pauses = {&pauses(PauseCause::request), &pauses(PauseCause::overload)},
             .bodies = &metrics_.bodies.Add(labels),
@@ -47,6 +48,7 @@ WorldMetrics::~WorldMetrics() {
     if (--at->second > 0) return;
     metrics_.world_holders.count.erase(at);
     metrics_.tick_seconds.Remove(series_.tick_seconds);
+    metrics_.tick_lateness.Remove(series_.tick_lateness);
     metrics_.late_ticks.Remove(series_.late_ticks);
     metrics_.bodies.Remove(series_.bodies);
     metrics_.awake_bodies.Remove(series_.awake_bodies);
@@ -59,8 +61,9 @@ WorldMetrics::~WorldMetrics() {
 }
 
 void WorldMetrics::count_tick(const TickSample& tick) {
-    ASSERT(tick.seconds >= 0);
+    ASSERT(tick.seconds >= 0 && tick.lateness_seconds >= 0);
     series_.tick_seconds->Observe(tick.seconds);
+    series_.tick_lateness->Observe(tick.lateness_seconds);
     const std::size_t stages = std::min(tick.stage_ms.size(), metrics_.stages.size());
     for (std::size_t i = 0; i < stages; i++)
         if (tick.stage_ms[i] > 0) metrics_.stages[i]->Increment(tick.stage_ms[i] / 1000);

@@ -18,6 +18,7 @@ namespace jostle::server {
 // The measurements of one tick of a world.
 struct TickSample {
     double seconds = 0;                     // the whole tick
+    double lateness_seconds = 0;            // from when it was due until it began
     std::span<const double> stage_ms = {};  // by stage of the step; empty: no step
     std::size_t bodies = 0, awake = 0;
     std::size_t queued = 0;        // inputs queued when the tick began
@@ -48,6 +49,7 @@ private:
     // The series of one name; several holders may share them.
     struct Series {
         prometheus::Histogram* tick_seconds;
+        prometheus::Histogram* tick_lateness;
         prometheus::Counter* late_ticks;
         std::array<prometheus::Counter*, names_of(PauseCause{}).size()> pauses;
         prometheus::Gauge *bodies, *awake_bodies, *queue_depth, *paused, *hung, *time_scale,

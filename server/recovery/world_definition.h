@@ -10,7 +10,7 @@
 
 #include "jostle/base/result.h"
 #include "jostle/scenes/scene.h"
-#include "server/world/apply_action.h"
+#include "server/world/hosted_state.h"
 
 namespace jostle::server {
 

@@ -3,6 +3,8 @@
 
 #include <spdlog/fmt/fmt.h>
 
+#include <algorithm>
+
 #include "jostle/base/check.h"
 #include "jostle/scenes/scene_file.h"
 #include "jostle/v1/admin.pb.h"
@@ -102,6 +104,19 @@ void write(v1::BanInfo& out, const Ban& ban) {
     if (ban.expires != WallTime::max()) out.set_expires(rfc3339(ban.expires));
 }
 
+Status check_restorable(const Frame& frame, std::uint32_t tick) {
+    if (!frame.restorable_ticks) return {};  // the world is no room
+    const std::vector<std::uint32_t>& ticks = *frame.restorable_ticks;
+    if (std::ranges::binary_search(ticks, tick)) return {};
+    if (ticks.empty())
+        return Error{ErrorCode::not_found,
+                     "the room has no timeline; set timeline_seconds in its settings"};
+    return Error{ErrorCode::not_found,
+                 fmt::format("tick {} cannot be restored; the timeline has {} states from tick {} "
+                             "to tick {}, one per second (GetRoomResponse.restorable_ticks)",
+                             tick, ticks.size(), ticks.front(), ticks.back())};
+}
+
 }  // namespace
 
 void AdminControl::stop() {
@@ -120,6 +135,7 @@ Status AdminControl::get_server_status(const v1::GetServerStatusRequest& request
     for (const ClientStatus& status : context_.connected_clients.status(now))
         if (who.opens(status.who.world_id, status.who.world_name))
             write(*response.add_clients(), status);
+    data_.write_reports(*response.mutable_reports(), who);
     if (who.is_limited_to_worlds()) return {};
     if (context_.metrics) {
         write(*response.mutable_sent_bytes(), context_.metrics->sent_bytes);
@@ -136,6 +152,11 @@ Status AdminControl::get_server_status(const v1::GetServerStatusRequest& request
         out.set_text(std::move(line.text));
     }
     return {};
+}
+
+Status AdminControl::list_reports(const v1::ListReportsRequest& request,
+                                  v1::ListReportsResponse& response, const Identity& who) {
+    return data_.list_reports(request, response, who);
 }
 
 Status AdminControl::list_clients(const v1::ListClientsRequest& request,
@@ -376,12 +397,12 @@ Status AdminControl::get_room(const v1::GetRoomRequest& request, v1::GetRoomResp
         member.set_muted(client.muted_until != 0);
         member.set_removed(client.removed);
     }
-    for (const RoomBan& from : room->bans) {
-        v1::RoomBan& ban = *response.add_bans();
-        ban.set_member(from.member);
-        ban.set_reason(from.reason);
-        ban.set_permanent(from.until == 0);
-    }
+    for (const RoomBan& ban : room->bans) write_ban(*response.add_bans(), ban);
+    const FramePtr frame = (*world)->frame();
+    response.set_speed_percent(frame->speed_percent);
+    if (frame->restorable_ticks)
+        response.mutable_restorable_ticks()->Add(frame->restorable_ticks->begin(),
+                                                 frame->restorable_ticks->end());
     if (!room->vote) return {};
     response.set_vote_target(room->vote->target);
     response.set_votes(static_cast<std::uint32_t>(room->vote->clients.size()));
@@ -394,9 +415,13 @@ Status AdminControl::moderate_room(const v1::ModerateRoomRequest& request,
     if (!command.ok()) return command.error();
     if (std::holds_alternative<PauseRoom>(command->kind))
         return invalid_argument("use SetPaused to pause or resume a world");
+    if (std::holds_alternative<StepRoom>(command->kind))
+        return invalid_argument("use StepWorld to step a paused world");
     if (Status s = check_numbers(*command); !s.ok()) return s;
     const auto world = find_world(context_, request.world());
     if (!world.ok()) return world.error();
+    if (const auto* const rewind = std::get_if<RewindRoom>(&command->kind))
+        if (Status s = check_restorable(*(*world)->frame(), rewind->tick); !s.ok()) return s;
     const WaitSlot slot(waiting_);
     if (Status s = slot.admitted(); !s.ok()) return s;
     Status applied;

@@ -35,6 +35,8 @@ class ListBansRequest;
 class ListBansResponse;
 class ListClientsRequest;
 class ListClientsResponse;
+class ListReportsRequest;
+class ListReportsResponse;
 class ModerateRoomRequest;
 class ModerateRoomResponse;
 class ProfileRequest;
@@ -77,6 +79,8 @@ public:
 
     Status get_server_status(const v1::GetServerStatusRequest& request,
                              v1::GetServerStatusResponse& response, const Identity& who);
+    Status list_reports(const v1::ListReportsRequest& request, v1::ListReportsResponse& response,
+                        const Identity& who);
     // Lists and removes clients of the worlds that the token of `who` opens; others are refused.
     Status list_clients(const v1::ListClientsRequest& request, v1::ListClientsResponse& response,
                         const Identity& who);

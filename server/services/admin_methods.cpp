@@ -87,6 +87,7 @@ std::vector<CallMethod> admin_methods(AdminControl& control, const WorldDirector
     return {
         server_call(control, "GetServerStatus", Audit::no, &AdminControl::get_server_status),
         server_call(control, "ListClients", Audit::no, &AdminControl::list_clients),
+        server_call(control, "ListReports", Audit::no, &AdminControl::list_reports),
         server_call(control, "Kick", Audit::yes, &AdminControl::kick),
         unary_method<v1::BackupRequest, v1::BackupResponse>(
             path_of("Backup"), CallWork::blocking, admin_request_bytes_max,
@@ -129,6 +130,8 @@ std::vector<CallMethod> admin_methods(AdminControl& control, const WorldDirector
                    &WorldDataControl::set_attributes),
         world_call(control.data(), worlds, "SendMessage", CallWork::blocking, Audit::yes,
                    &WorldDataControl::send_message),
+        world_call(control.data(), worlds, "ApplyInput", CallWork::blocking, Audit::yes,
+                   &WorldDataControl::apply_input),
         world_call(control, worlds, "Profile", CallWork::blocking, Audit::no,
                    &AdminControl::profile),
     };

@@ -9,6 +9,7 @@
 #include "jostle/v1/admin.pb.h"
 #include "server/limits/admission.h"
 #include "server/messages/attribute_message.h"
+#include "server/messages/client_message.h"
 #include "server/messages/player_message.h"
 #include "server/services/find_world.h"
 #include "server/util/log.h"
@@ -19,6 +20,23 @@ namespace {
 
 // Clients of gRPC receive at most 4 MiB by default.
 constexpr std::size_t response_bytes_max = 3 << 20;
+
+void write(google::protobuf::RepeatedPtrField<v1::ReportInfo>& to, const WorldHost& world) {
+    for (const PlayerReport& report : world.reports()->list()) {
+        v1::ReportInfo& out = *to.Add();
+        out.set_number(report.number);
+        out.set_world(world.id());
+        out.set_world_name(world.name());
+        out.set_tick(report.tick);
+        out.set_time(rfc3339(report.time));
+        out.set_from(report.from);
+        out.set_from_name(report.from_name);
+        out.set_client(report.client);
+        out.set_name(report.name);
+        out.set_reason(report.reason);
+        out.mutable_messages()->Add(report.messages.begin(), report.messages.end());
+    }
+}
 
 }  // namespace
 
@@ -121,6 +139,58 @@ Status WorldDataControl::send_message(const v1::SendMessageRequest& request,
     if (Status s = apply(**world, std::move(command), &number); !s.ok()) return s;
     response.set_number(number);
     return {};
+}
+
+Status WorldDataControl::apply_input(const v1::ApplyInputRequest& request,
+                                     v1::ApplyInputResponse& response) {
+    const Result<Action> action = decode_input(request.input());
+    if (!action.ok()) return action.error();
+    if (!is_build_command(*action))
+        return invalid_argument(
+            "input is of another kind; allowed are spawn, delete, edit, clone, create_joint, "
+            "delete_joint and undo");
+    const bool undoes = std::holds_alternative<UndoCommand>(*action);
+    if (undoes != (request.client() != 0))
+        return invalid_argument(
+            undoes ? "client is 0; name the client whose action is undone"
+                   : fmt::format("client is {}; it must be 0, except for undo", request.client()));
+    if (Status s = check_numbers(*action); !s.ok()) return s;
+    const auto world = find_world(context_, request.world());
+    if (!world.ok()) return world.error();
+    InputResult result;
+    Status applied;
+    const Status done = (*world)->between_ticks().run([&](HostedWorld& hosted) {
+        applied = hosted.apply_between_inputs(request.client(), *action, result);
+    });
+    (*world)->wake();
+    if (!done.ok()) return done;
+    if (!applied.ok()) return applied;
+    log_info("world {}: an operator changed entity {}, joint {}", (*world)->id(), result.entity,
+             result.joint);
+    response.set_tick((*world)->frame()->tick);
+    response.set_entity(result.entity);
+    response.set_joint(result.joint);
+    return {};
+}
+
+Status WorldDataControl::list_reports(const v1::ListReportsRequest& request,
+                                      v1::ListReportsResponse& response, const Identity& who) {
+    if (request.world().empty()) {
+        write_reports(*response.mutable_reports(), who);
+        return {};
+    }
+    const auto world = find_world(context_, request.world());
+    if (!world.ok()) return world.error();
+    if (!who.opens((*world)->id(), (*world)->name()))
+        return Error{ErrorCode::permission_denied, "the token is for another world"};
+    write(*response.mutable_reports(), **world);
+    return {};
+}
+
+void WorldDataControl::write_reports(google::protobuf::RepeatedPtrField<v1::ReportInfo>& to,
+                                     const Identity& who) const {
+    for (const auto& world : context_.worlds.list())
+        if (who.opens(world->id(), world->name())) write(to, *world);
 }
 
 }  // namespace jostle::server

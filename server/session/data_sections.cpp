@@ -63,6 +63,17 @@ void AttributesSection::append_table(const Frame& frame, SnapshotParts& parts) {
         parts.shared_fields.push_back(std::make_shared<const std::string>(std::move(own)));
 }
 
+void RoomSection::append(const FramePtr& frame, Clock::time_point, SnapshotParts& parts) {
+    if (frame->room == room_) return;
+    room_ = frame->room;
+    const RoomClient* const client = room_ ? room_->find(client_) : nullptr;
+    if (!client) return;
+    SharedBytes bytes = broadcast_.data().room(room_, client->role);
+    if (bytes == sent_) return;
+    sent_ = bytes;
+    parts.shared_fields.push_back(std::move(bytes));
+}
+
 MessagesSection::MessagesSection(BroadcastCache& broadcast, ClientId client,
                                  std::vector<std::string> topics)
     : broadcast_(broadcast),

@@ -73,6 +73,23 @@ private:
     bool has_table_ = false;                 // a table was sent that the next one must replace
 };
 
+// The settings of the room as the role of the client may see them, after each change.
+class RoomSection final : public SnapshotSection {
+public:
+    RoomSection(BroadcastCache& broadcast, ClientId client)
+        : broadcast_(broadcast), client_(client) {}
+
+    bool has_changes(const Frame& frame) const override { return frame.room != room_; }
+    void append(const FramePtr& frame, Clock::time_point now, SnapshotParts& parts) override;
+    TrafficKind traffic_kind() const override { return TrafficKind::attributes; }
+
+private:
+    BroadcastCache& broadcast_;
+    const ClientId client_;
+    RoomView room_;     // that was examined last
+    SharedBytes sent_;  // null: nothing
+};
+
 // User messages of the topics that the client requested.
 class MessagesSection final : public SnapshotSection {
 public:

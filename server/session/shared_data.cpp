@@ -6,6 +6,7 @@
 
 #include "jostle/base/check.h"
 #include "server/messages/attribute_message.h"
+#include "server/messages/room_message.h"
 
 namespace jostle::server {
 
@@ -98,6 +99,20 @@ SharedBytes SharedData::message(const UserMessagePtr& message) {
         if (messages_.size() == RecentMessages::messages_max) messages_.pop_front();
         messages_.emplace_back(message, bytes);
     }
+    return bytes;
+}
+
+SharedBytes SharedData::room(const RoomView& room, PlayerRole role) {
+    const std::lock_guard lock(mutex_);
+    if (room_ != room) {
+        room_ = room;
+        room_is_encoded_ = {};
+    }
+    const std::size_t index = index_of(role);
+    SharedBytes& bytes = room_bytes_[index];
+    if (std::exchange(room_is_encoded_[index], true)) return bytes;
+    std::string encoded = encode_room_update(*room, role);
+    if (!bytes || *bytes != encoded) bytes = share_if_any(std::move(encoded));
     return bytes;
 }
 

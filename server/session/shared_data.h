@@ -18,6 +18,7 @@
 #include "server/util/clock.h"
 #include "server/world/attributes.h"
 #include "server/world/players.h"
+#include "server/world/room_state.h"
 #include "server/world/user_messages.h"
 
 namespace jostle::server {
@@ -38,6 +39,9 @@ public:
                                   PlayerRole role);
 
     SharedBytes message(const UserMessagePtr& message);
+
+    // The room as clients of a role see it. Equal content has the same pointer.
+    SharedBytes room(const RoomView& room, PlayerRole role);
 
 private:
     using PerRole = std::array<SharedBytes, player_roles>;
@@ -63,6 +67,9 @@ private:
     PerRole table_bytes_;
     std::deque<Changes> changes_;                                  // oldest first
     std::deque<std::pair<UserMessagePtr, SharedBytes>> messages_;  // ascending number
+    RoomView room_;
+    PerRole room_bytes_;
+    std::array<bool, player_roles> room_is_encoded_{};
 };
 
 }  // namespace jostle::server

@@ -42,6 +42,7 @@ SnapshotSections::SnapshotSections(const Sources& sources, const Hello& hello)
     if (hello.attributes)
         attributes_ = add<AttributesSection>(sources.broadcast, sources.client,
                                              initial_role(hello.spectator));
+    if (hello.room) add<RoomSection>(sources.broadcast, sources.client);
     if (!hello.topics.empty())
         messages_ = add<MessagesSection>(sources.broadcast, sources.client, hello.topics);
     if (predicts) add<ControlledEntitySection>(sources.client, host.hz());

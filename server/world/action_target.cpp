@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <variant>
 
+#include "server/world/clone_action.h"
+
 namespace jostle::server {
 
 using namespace physics;

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: MIT
 //
-// What an action of a client touches and adds: the input of permissions, protected areas and quotas
-// of a room. Computed before the action, from the state of the world.
+// Targets of an action of a client, and the objects and energy that it adds: the input of
+// permissions, protected areas and quotas of a room. Computed before the action, from the state of
+// the world.
 #pragma once
 
 #include <cstddef>
 #include <optional>
 
-#include "server/world/apply_action.h"
 #include "server/world/command.h"
+#include "server/world/hosted_state.h"
 #include "server/world/room_permissions.h"
 
 namespace jostle::server {

@@ -1,69 +1,17 @@
 // SPDX-License-Identifier: MIT
 //
-// Applies the actions of clients to a world. Only this file turns an action into World calls. On
-// the thread that owns the world.
+// Applies the actions of clients to a world. Edits, clones, joints and undo have files of their
+// own, which only apply_action.cpp calls. On the thread that owns the world.
 #pragma once
 
-#include <vector>
-
 #include "jostle/base/result.h"
-#include "jostle/physics/world.h"
-#include "server/world/attributes.h"
-#include "server/world/command.h"
-#include "server/world/controller_registry.h"
-#include "server/world/entity_registry.h"
-#include "server/world/grabs.h"
-#include "server/world/joint_owners.h"
-#include "server/world/ownership.h"
-#include "server/world/players.h"
-#include "server/world/scene_budget.h"
-#include "server/world/undo_log.h"
-#include "server/world/user_messages.h"
+#include "server/world/hosted_state.h"
 
 namespace jostle::server {
-
-struct HostLimits {
-    SceneBudget scene;                     // its bodies_max also limits spawned bodies
-    int bodies_owned_max = 50;             // of one client
-    int joints_owned_max = 100;            // likewise
-    double lag_compensation_ms_max = 400;  // age limit of an aim's view time
-    AttributeLimits attributes;
-};
-
-// The state that actions change.
-struct HostedState {
-    physics::World world;
-    HostLimits limits;
-    EntityRegistry entities;
-    Ownership ownership;
-    Grabs grabs;
-    ControllerRegistry controllers;
-    Players players;
-    Attributes attributes;
-    UserMessages messages;
-    JointOwners joint_owners;
-    UndoLog undo;
-};
-
-// Whose bodies and joints a client may delete and edit.
-enum class Reachable { own, any };
 
 // Sets `affected` to the entity or joint that the action names or creates, if any, also on error.
 // `reachable`: any: the rules of a room allowed the action.
 Status apply_action(HostedState& state, ClientId client, const Action& action, Affected& affected,
                     Reachable reachable = Reachable::own);
-
-// A body and, if `all`, the dynamic bodies that joints connect to it, with the joints between them.
-struct JointedGroup {
-    std::vector<EntityId> entities;        // the named one, then the others in ascending order
-    std::vector<physics::JointId> joints;  // sorted, without grabs
-};
-// The group ends after clone_bodies_max + 1 bodies.
-inline constexpr std::size_t clone_bodies_max = 64;
-JointedGroup jointed_group(const HostedState& state, EntityId entity, bool all);
-
-// Removes an existing entity together with its owner, grabs, controlling client and attributes. The
-// body stays; the caller destroys it, or a module has done so.
-void forget_entity(HostedState& state, EntityId id);
 
 }  // namespace jostle::server

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "jostle/scenes/scene.h"
-#include "server/world/apply_action.h"
+#include "server/world/hosted_state.h"
 
 namespace jostle::server {
 

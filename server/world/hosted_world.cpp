@@ -198,11 +198,6 @@ Status HostedWorld::apply_and_record(const Command& command, InputResult& result
         resolved = DeleteJointCommand{deletion->joint, joints_.find(deletion->joint)};
         action = &resolved;
     }
-    if (const auto* named = std::get_if<DeleteJointCommand>(&command.action);
-        named && named->joint != 0) {
-        resolved = DeleteJointCommand{named->joint, joints_.find(named->joint)};
-        action = &resolved;
-    }
     if (journal_enabled_)
         journal_.push_back({command.client, command.sequence,
                             status.ok() ? std::optional(*action) : std::nullopt});
@@ -228,7 +223,12 @@ Result<JointInspection> HostedWorld::inspect_joint(std::uint32_t joint) {
 
 Status HostedWorld::apply_as_server(const Action& action) {
     InputResult result;
-    return apply_and_record({.client = scene_client, .action = action, .reply = {}}, result);
+    return apply_between_inputs(scene_client, action, result);
+}
+
+Status HostedWorld::apply_between_inputs(ClientId client, const Action& action,
+                                         InputResult& result) {
+    return apply_and_record({.client = client, .action = action, .reply = {}}, result);
 }
 
 void HostedWorld::remove_entities(std::span<const EntityId> entities) {

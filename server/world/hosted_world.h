@@ -76,6 +76,9 @@ public:
     // Applies an action of the server between two ticks or before a step; it is recorded like an
     // input. For embedders and administrators: attributes, roles, messages.
     Status apply_as_server(const Action& action);
+    // Likewise, for a client or the server. Sets the entity and the joint of the result, also on
+    // error.
+    Status apply_between_inputs(ClientId client, const Action& action, InputResult& result);
     // apply(), refuse(), apply_as_server() and remove_entities() record commands for take_journal()
     // from now on.
     void enable_journal() { journal_enabled_ = true; }

@@ -12,7 +12,7 @@
 #include <string>
 #include <vector>
 
-#include "server/world/apply_action.h"
+#include "server/world/hosted_state.h"
 
 namespace jostle::server {
 

@@ -6,8 +6,8 @@
 // by its node or vertex nearest to the point. On the thread that owns the world.
 #pragma once
 
-#include "server/world/apply_action.h"
 #include "server/world/frame.h"
+#include "server/world/hosted_state.h"
 #include "server/world/module_channels.h"
 
 namespace jostle::server {

@@ -6,7 +6,7 @@
 
 #include <vector>
 
-#include "server/world/apply_action.h"
+#include "server/world/hosted_state.h"
 
 namespace jostle::server {
 

@@ -1,12 +1,26 @@
 // SPDX-License-Identifier: MIT
 #include "server/world/tick_loop.h"
 
+#include <algorithm>
+#include <cmath>
 #include <exception>
 #include <utility>
 
 #include "jostle/base/check.h"
 
 namespace jostle::server {
+
+namespace {
+
+// Rests end at multiples of this time, so that many resting worlds share few wake-ups of a thread.
+constexpr Clock::duration rest_grid = std::chrono::milliseconds(25);
+
+Clock::time_point end_of_rest(Clock::time_point earliest) {
+    const Clock::duration past = earliest.time_since_epoch() % rest_grid;
+    return past == Clock::duration::zero() ? earliest : earliest + (rest_grid - past);
+}
+
+}  // namespace
 
 TickLoop::~TickLoop() {
     ASSERT(!pool_ || (ends_ && !runs_));
@@ -41,13 +55,18 @@ void TickLoop::end_rest() {
     wake_at_ = clock_->next_due();
 }
 
+int TickLoop::rest_ticks_max() const {
+    const double in_grid = to_ms(rest_grid) / 1000 * settings_.hz * std::max(1.0, settings_.speed);
+    return settings_.rest_ticks + static_cast<int>(std::ceil(in_grid));
+}
+
 bool TickLoop::run_due() {
     const Clock::time_point begun = Clock::now();
     const bool rested = rests_.exchange(false);
     woken_.store(false);
     bool may_rest = false;
     try {
-        for (int left = clock_->due(begun, rested ? settings_.rest_ticks : 0); left > 0; left--) {
+        for (int left = clock_->due(begun, rested ? rest_ticks_max() : 0); left > 0; left--) {
             if (stopped_()) return false;
             const Clock::time_point due = clock_->begin_tick();
             may_rest =
@@ -61,7 +80,8 @@ bool TickLoop::run_due() {
     last_run_ = Clock::now() - begun;
     rests_.store(may_rest && settings_.rest_ticks > 1);
     if (rests_.load() && woken_.load()) rests_.store(false);
-    wake_at_ = clock_->next_due(rests_.load() ? settings_.rest_ticks - 1 : 0);
+    wake_at_ = rests_.load() ? end_of_rest(clock_->next_due(settings_.rest_ticks - 1))
+                             : clock_->next_due();
     return true;
 }
 

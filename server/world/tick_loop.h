@@ -54,6 +54,7 @@ public:
     void stop();
 
 private:
+    int rest_ticks_max() const;  // ticks that are not late at the end of a rest
     bool run_due() override;
     void end_rest() override;
 

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "server/world/tick_metrics.h"
 
+#include <algorithm>
+
 #include "jostle/base/check.h"
 
 namespace jostle::server {
@@ -13,7 +15,11 @@ void TickMetrics::end_tick(const Frame& frame, const physics::StepProfile* profi
     const Clock::time_point now = Clock::now();
     ASSERT(now >= begun_);
     if (metrics_) {
-        TickSample count{.seconds = std::chrono::duration<double>(now - begun_).count(),
+        const auto seconds = [](Clock::duration time) {
+            return std::chrono::duration<double>(time).count();
+        };
+        TickSample count{.seconds = seconds(now - begun_),
+                         .lateness_seconds = std::max(0.0, seconds(begun_ - frame.due)),
                          .bodies = frame.entities.size(),
                          .awake = static_cast<std::size_t>(frame.awake),
                          .queued = inputs,

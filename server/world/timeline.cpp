@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <string>
 #include <utility>
+#include <variant>
 
 #include "jostle/base/check.h"
 
@@ -11,12 +12,34 @@ namespace jostle::server {
 
 namespace {
 
-// Memory of a restore point and of the host state; docs/guides/operator/rooms.md states them.
-constexpr std::size_t bytes_per_body = 2048, bytes_per_contact = 1024;
+// Memory of a restore point and of the host state; timeline_memory_test.cpp compares them with the
+// allocator, and docs/guides/operator/rooms.md states them.
+constexpr std::size_t bytes_per_state = 512 << 10;  // also of a world with few bodies
+constexpr std::size_t bytes_per_body = 1280, bytes_per_contact = 1280, bytes_per_joint = 1536;
+constexpr std::size_t bytes_per_record = 256;  // of an undo step, an attribute or a player
 
-std::size_t bytes_of(const HostedWorld& world) {
-    const auto contacts = static_cast<std::size_t>(std::max(0, world.world().profile().touching));
-    return bytes_per_body * (world.entities() + 1) + bytes_per_contact * contacts;
+std::size_t bytes_of(const SavedHostState& host_state) {
+    std::size_t bytes = bytes_per_record * (host_state.players.size() + 1);
+    for (const SavedHostState::SavedAttribute& one : host_state.attributes) {
+        const auto* const text = std::get_if<std::string>(&one.attribute.value);
+        bytes += bytes_per_record + (text ? text->size() : 0);
+    }
+    for (const SavedHostState::ClientUndo& client : host_state.undo)
+        for (const UndoStep& step : client.steps) {
+            bytes += bytes_per_record + step.record.size();
+            for (const UndoStep::Joint& joint : step.joints)
+                bytes += bytes_per_record + joint.record.size();
+        }
+    return bytes;
+}
+
+std::size_t bytes_of(const HostedWorld& world, const physics::RestorePoint& bodies,
+                     const SavedHostState& host_state) {
+    const physics::WorldSummary summary = world.world().summary();
+    const auto count = [](int number) { return static_cast<std::size_t>(number); };
+    return bytes_per_state + bytes_per_body * world.entities() +
+           bytes_per_contact * count(summary.contacts) + bytes_per_joint * count(summary.joints) +
+           bodies.module_bytes() + bytes_of(host_state);
 }
 
 }  // namespace
@@ -32,19 +55,20 @@ void Timeline::on_tick(std::uint32_t tick, bool stepped, const HostedWorld& worl
     if (stepped) steps_since_++;
     if (seconds > 0 && (states_.empty() || steps_since_ >= hz_)) {
         steps_since_ = 0;
-        const std::size_t bytes = stores_states_ ? bytes_of(world) : 0;
-        while (!states_.empty() && (states_.size() == states_max || bytes_ + bytes > bytes_max))
-            drop_oldest();
-        if (bytes <= bytes_max) {
-            State& state = states_.emplace_back();
-            state.tick = tick;
-            state.bytes = bytes;
-            bytes_ += bytes;
-            if (stores_states_) {
-                state.bodies = std::move(spare_);
-                state.bodies.capture(world.world());
-                state.host_state = world.host_state(tick);
-            }
+        if (states_.size() == states_max) drop_oldest();
+        State state{.tick = tick};
+        if (stores_states_) {
+            state.bodies = std::move(spare_);
+            state.bodies.capture(world.world());
+            state.host_state = world.host_state(tick);
+            state.bytes = bytes_of(world, state.bodies, state.host_state);
+        }
+        while (!states_.empty() && bytes_ + state.bytes > bytes_max) drop_oldest();
+        if (state.bytes <= bytes_max) {
+            bytes_ += state.bytes;
+            states_.push_back(std::move(state));
+        } else {
+            spare_ = std::move(state.bodies);
         }
     }
     if (states_.size() != before || (!states_.empty() && states_.back().tick != last)) publish();

@@ -308,6 +308,7 @@ Result<std::shared_ptr<WorldHost>> WorldDirectory::replace_stopped(
         started->paused = world->lifecycle().paused();
         started->speed_percent = world->speed_percent();
         started->timeline = world->stopped_timeline();
+        started->reports = world->reports();
         return start_replacement(*std::move(started));
     });
     if (!replacement.ok()) {
@@ -408,6 +409,7 @@ Result<WorldDirectory::Replacement> WorldDirectory::restart_failed_world(
             Result<WorldStart> start = settings_.world_persistence->reload(failed.id());
             if (!start.ok()) return start.error();
             start->paused = failed.lifecycle().paused();
+            start->reports = failed.reports();
             return start_replacement(*std::move(start));
         }
         const RoomView room = failed.frame()->room;

@@ -22,19 +22,31 @@ constexpr double rest_seconds = 0.25;
 // A world rests after this time without a change.
 constexpr double rests_after_seconds = 1;
 
+// The latest time at which a world of this rate may begin. The worlds of a process begin at
+// different fractions of their periods (the golden ratio spreads any number of them), so that their
+// ticks do not wait for each other.
+Clock::time_point begin_of_world(Clock::time_point now, double hz) {
+    static std::atomic<std::uint32_t> worlds = 0;
+    const double part = std::fmod(0.6180339887498949 * worlds++, 1.0);
+    const double periods =
+        std::chrono::duration<double>(now.time_since_epoch()).count() * hz - part;
+    return now - from_seconds((periods - std::floor(periods)) / hz);
+}
+
 WorldProperties properties_of(WorldStart& start) {
     ASSERT(start.scene && start.tick > 0);
     const scenes::SceneDescription& scene = *start.scene;
-    return {.label = std::move(start.label),
-            .scene = start.scene,
-            .hz = scene.hz,
-            .work_per_second = start.world.work_per_second(),
-            .gravity = scene.world.gravity,
-            .substeps = scene.world.tolerance > 0 ? 0 : scene.world.substeps,
-            .epoch = Clock::now() - from_seconds((start.tick - 1) / scene.hz),
-            .first_tick = start.tick,
-            .is_room = start.world.room() != nullptr,
-            .channel_kinds = start.world.channel_kinds()};
+    return {
+        .label = std::move(start.label),
+        .scene = start.scene,
+        .hz = scene.hz,
+        .work_per_second = start.world.work_per_second(),
+        .gravity = scene.world.gravity,
+        .substeps = scene.world.tolerance > 0 ? 0 : scene.world.substeps,
+        .epoch = begin_of_world(Clock::now(), scene.hz) - from_seconds((start.tick - 1) / scene.hz),
+        .first_tick = start.tick,
+        .is_room = start.world.room() != nullptr,
+        .channel_kinds = start.world.channel_kinds()};
 }
 
 // The reason of a pause by a member of the room, who may end it.
@@ -85,6 +97,7 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
                 : properties_.is_room
                     ? std::make_shared<Timeline>(properties_.hz, start.world_journal == nullptr)
                     : nullptr),
+      reports_(start.reports ? std::move(start.reports) : std::make_shared<PlayerReports>()),
       world_journal_(std::move(start.world_journal)),
       // A world without ticks of its own does not depend on measured times.
       queries_(settings.own_ticks ? settings.query_copy_share / properties_.hz : 0),
@@ -269,6 +282,7 @@ void WorldHost::run_tick(Clock::time_point due, std::uint32_t late_ticks) {
     const bool sends_results = !world_journal_ || (refusal && !applies_data);
     publish(frame, sends_results);
     if (world_journal_) persist_published(frame->step_ms, sends_results);
+    reports_->add_from(*frame, properties_.label, began);
     serve_queries();  // after the frame, which has priority
     single_step_.end_tick();
     grant_room_requests(room_requests);

@@ -24,6 +24,7 @@
 #include "server/world/frame_publisher.h"
 #include "server/world/hosted_world.h"
 #include "server/world/input_scheduler.h"
+#include "server/world/player_reports.h"
 #include "server/world/query_broker.h"
 #include "server/world/single_step_control.h"
 #include "server/world/tick_loop.h"
@@ -71,6 +72,7 @@ struct WorldStart {
     std::optional<std::string> paused = {};                 // the reason; nothing: not paused
     std::uint32_t speed_percent = 100;                      // of real time
     std::shared_ptr<Timeline> timeline = nullptr;           // of the replaced host; null: none
+    std::shared_ptr<PlayerReports> reports = nullptr;       // likewise
 };
 
 class WorldHost {
@@ -126,6 +128,8 @@ public:
     BetweenTicksExecutor& between_ticks() { return between_ticks_; }
     // Releases every thread that waits for this world; later waits return at once.
     void cancel_waiters();
+    // Any thread: what players reported about others.
+    const std::shared_ptr<PlayerReports>& reports() const { return reports_; }
 
     // Any thread: whether the world is in the database, and the oldest tick that can be restored
     // (0: none).
@@ -221,6 +225,7 @@ private:
     bool rests_ = false;                        // may_rest() of the last frame
     std::uint32_t room_steps_ = 0;              // that members requested for a paused world
     const std::shared_ptr<Timeline> timeline_;  // null: the world is no room
+    const std::shared_ptr<PlayerReports> reports_;
 
     const std::shared_ptr<WorldJournal> world_journal_;    // null: not persisted
     std::shared_ptr<CheckpointCopier> checkpoint_copier_;  // of the previous tick; null: none

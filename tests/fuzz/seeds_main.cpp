@@ -38,6 +38,7 @@
 #include "tests/proto/snapshot/channel_motion.h"
 #include "tests/proto/snapshot/golden.h"
 #include "tests/proto/snapshot/golden_entities.h"
+#include "tests/server/messages/golden_tools.h"
 #include "tests/support/tokens.h"
 
 namespace jostle::fuzz {
@@ -156,20 +157,43 @@ v1::ClientMessage inputs(std::uint32_t first) {
     return message;
 }
 
+// The inputs that build and that control the time of a room.
+v1::ClientMessage tool_inputs() {
+    v1::ClientMessage message = server::golden_tool_inputs();
+    v1::InputBatch& batch = *message.mutable_input();
+    batch.mutable_inputs(0)->mutable_edit()->set_entity(3);
+    batch.mutable_inputs(1)->mutable_clone()->set_entity(3);
+    v1::CreateJointInput& joint = *batch.mutable_inputs(2)->mutable_create_joint();
+    joint.set_entity_b(3);
+    batch.mutable_inputs(3)->mutable_delete_joint()->set_joint(1);
+    v1::CreateJointInput& spring = *batch.add_inputs()->mutable_create_joint();
+    spring.set_entity_a(2);
+    spring.set_entity_b(3);
+    v1::DistanceJoint& distance = *spring.mutable_joint()->mutable_distance();
+    distance.set_max_length(3);
+    distance.set_rest_length(1);
+    distance.mutable_spring()->set_hertz(2);
+    return message;
+}
+
 v1::ClientMessage with(const std::function<void(v1::ClientMessage&)>& change) {
     v1::ClientMessage message;
     change(message);
     return message;
 }
 
+v1::ClientMessage ping() {
+    return with([](auto& m) { m.mutable_ping()->set_client_time_us(99); });
+}
+
+v1::ClientMessage leave() {
+    return with([](auto& m) { m.mutable_leave(); });
+}
+
 std::vector<v1::ClientMessage> client_messages() {
-    return {hello(false),
-            hello(true),
-            inputs(1),
-            inputs(12),
-            with([](auto& m) { m.mutable_ack()->set_frame(7); }),
-            with([](auto& m) { m.mutable_ping()->set_client_time_us(99); }),
-            with([](auto& m) { m.mutable_leave(); })};
+    return {hello(false), hello(true),   inputs(1),
+            inputs(12),   tool_inputs(), with([](auto& m) { m.mutable_ack()->set_frame(7); }),
+            ping(),       leave()};
 }
 
 // Kinds of records: tests/fuzz/client_session.cpp.
@@ -179,8 +203,11 @@ std::string write_conversation(bool events) {
         out += record(0, inputs(1 + 11 * round).SerializeAsString());
         out += record(1, "\3") + record(2, std::string("\x40\0", 2)) + record(3) + record(5, "\1");
     }
-    out += record(4) + record(0, client_messages()[5].SerializeAsString());
-    return out + record(0, client_messages()[6].SerializeAsString()) + record(3);
+    v1::ClientMessage tools = tool_inputs();
+    tools.mutable_input()->set_first_sequence(40);
+    out += record(0, tools.SerializeAsString()) + record(1, "\1") + record(3);
+    out += record(4) + record(0, ping().SerializeAsString());
+    return out + record(0, leave().SerializeAsString()) + record(3);
 }
 
 // What a server says to a client who plays, each message for itself.
@@ -200,7 +227,7 @@ std::vector<std::string> server_messages(bool events) {
     link.receive(hello(events).SerializeAsString(), now);
     for (std::uint32_t round = 0; round < 4; round++) {
         listen();
-        link.receive(client_messages()[5].SerializeAsString(), now);
+        link.receive(ping().SerializeAsString(), now);
         link.receive(inputs(1 + 11 * round).SerializeAsString(), now);
         small.worlds.find("")->tick(now += 60ms);
     }
@@ -595,6 +622,14 @@ void write_persisted(const fs::path& folder) {
         server::DragCommand{{6, 9, 0}},
         server::ImpulseCommand{3, {1, 2, 3}, physics::Vec3{0, 1, 0}},
         server::ExplodeCommand{{0, 1, 0}, 3, 2},
+        server::EditCommand{.entity = 11, .mass = 20, .color = 0xff8000, .frozen = true},
+        server::CloneCommand{11, {3, 0, 0}, true},
+        server::CreateJointCommand{
+            .entity_b = 11,
+            .frame = physics::Transform{{5, 9, 0}, {}},
+            .joint = {.kind = physics::HingeJoint{.limit = {true, -1, 1}}, .break_force = 500}},
+        server::DeleteJointCommand{1},
+        server::UndoCommand{},
         server::DeleteCommand{11},
         server::PossessCommand{2},
         server::ControlCommand{},

@@ -140,6 +140,21 @@ inline OracleGap separation(const physics::Geometry& a, const physics::Transform
     return widest([&](Vec3 n) { return slab_gap(a, pose_a, b, pose_b, n); });
 }
 
+// Whether the signed distance is certainly greater than `least`: one direction with a wider gap
+// proves it, and is found much sooner than the widest gap. a must not be a plane.
+inline bool farther_apart_than(double least, const physics::Geometry& a,
+                               const physics::Transform& pose_a, const physics::Geometry& b,
+                               const physics::Transform& pose_b) {
+    using namespace physics;
+    if (std::holds_alternative<Plane>(b)) return separation(a, pose_a, b, pose_b).distance > least;
+    const Vec3 between = pose_b.position - pose_a.position;
+    if (length(between) > 0 && slab_gap(a, pose_a, b, pose_b, normalized(between)) > least)
+        return true;
+    for (const Vec3 n : detail::directions())
+        if (slab_gap(a, pose_a, b, pose_b, n) > least) return true;
+    return separation(a, pose_a, b, pose_b).distance > least;
+}
+
 // The point of the shape nearest to p. Not for planes.
 inline physics::Vec3 nearest_point(const physics::Geometry& geometry,
                                    const physics::Transform& pose, physics::Vec3 p) {

@@ -110,6 +110,9 @@ void PlayState::take(const v1::Snapshot& snapshot) {
     snapshot_bytes += snapshot.packed().size();
     keyframes += snapshot.baselines() == 0;
     stats += snapshot.has_stats();
+    if (snapshot.has_stats())
+        restorable_ticks = {snapshot.stats().restorable_ticks().begin(),
+                            snapshot.stats().restorable_ticks().end()};
     if (const std::uint32_t value = snapshot.client_update().snapshots_skipped(); value != 0)
         skipped = value;
     if (const std::int32_t value = snapshot.client_update().input_margin_us(); value != 0)

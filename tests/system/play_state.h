@@ -41,9 +41,10 @@ public:
     std::vector<v1::Notice> notices;
     // States of the cells in the area of interest, by number; for clients with an area of interest.
     std::map<std::uint32_t, std::map<std::uint32_t, snapshot::QuantizedFrame>> cells;
-    bool wants_events = false;       // from its Hello
-    std::string newest_message;      // data of the newest user message
-    std::vector<v1::Events> events;  // in order of arrival
+    bool wants_events = false;                    // from its Hello
+    std::string newest_message;                   // data of the newest user message
+    std::vector<std::uint32_t> restorable_ticks;  // of the newest WorldStats
+    std::vector<v1::Events> events;               // in order of arrival
 
     int violations = 0;
     std::string first_violation;

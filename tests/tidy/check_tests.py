@@ -162,8 +162,6 @@ COVERED_BY = {
         (["behaviour/continuous_test.cpp", "behaviour/fast_bodies_test.cpp"], "nothing passes through anything"),
     "stages/continuous/solve_continuous.cpp":
         (["behaviour/continuous_test.cpp", "behaviour/fast_bodies_test.cpp"], "nothing passes through anything"),
-    "stages/continuous/find_impacts.cpp":
-        (["behaviour/continuous_test.cpp", "behaviour/fast_bodies_test.cpp"], "the first of several bodies on a path is hit, from both sides"),
     "stages/continuous/resolve_toi_impact.cpp":
         (["behaviour/impacts_test.cpp", "behaviour/restitution_test.cpp", "behaviour/listeners_test.cpp"],
          "momentum, energy and spin after an impact; listeners that disable one"),

@@ -17,6 +17,7 @@
 #include "server/storage/store_head.h"
 #include "tools/common/table.h"
 #include "tools/ctl/attribute_arguments.h"
+#include "tools/ctl/outcome.h"
 #include "tools/ctl/report.h"
 
 namespace jostle::ctl {
@@ -31,37 +32,12 @@ namespace {
 // Step interval of a world with the lowest rate, 4 Hz.
 constexpr double slowest_step_s = 0.25;
 
-Outcome server_error(const Error& error) {
-    return {.error = error.message};
-}
-Outcome usage_error(const Error& error) {
-    return {.error = error.message, .is_usage_error = true};
-}
-
-// Returns a sentence, or with --json the response itself.
-template <class Response>
-Outcome to_outcome(const Result<Response>& response, const CommandArguments& arguments,
-                   const std::string& sentence) {
-    if (!response.ok()) return server_error(response.error());
-    return {.text = arguments.json ? json_text(*response) : sentence + "\n"};
-}
-
 std::string count_text(std::uint32_t count, const std::string& noun) {
     return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
 std::chrono::seconds whole_seconds(double seconds) {
     return std::chrono::seconds(static_cast<int>(seconds));
-}
-
-// Puts the path of the file before each line.
-Error in_file(const std::string& path, const Error& error) {
-    std::string message = path + ": ";
-    for (const char c : error.message) {
-        message += c;
-        if (c == '\n') message += path + ": ";
-    }
-    return {error.code, message};
 }
 
 // A scene file is the JSON form of the message. The server validates its values.
@@ -447,120 +423,6 @@ Outcome restore(const CommandArguments& arguments) {
         arguments.database + " is restored from " + arguments.file + "; start the server with it\n";
     for (const std::string& name : *renamed) text += "  a file so far is now " + name + "\n";
     return {.text = text};
-}
-
-Outcome show_room(Connection& server, const CommandArguments& arguments) {
-    v1::GetRoomRequest request;
-    request.set_world(arguments.world);
-    const auto response = server.call(&Admin::GetRoom, request);
-    if (!response.ok()) return server_error(response.error());
-    return {.text = arguments.json ? json_text(*response) : room_text(*response)};
-}
-
-namespace {
-
-Outcome moderate(Connection& server, const CommandArguments& arguments,
-                 const v1::RoomInput& command, const std::string& sentence) {
-    v1::ModerateRoomRequest request;
-    request.set_world(arguments.world);
-    *request.mutable_command() = command;
-    const auto response = server.call(&Admin::ModerateRoom, request);
-    return to_outcome(response, arguments, sentence);
-}
-
-std::string client_text(const CommandArguments& arguments) {
-    return "client " + std::to_string(arguments.client);
-}
-
-}  // namespace
-
-Outcome set_room_role(Connection& server, const CommandArguments& arguments) {
-    v1::RoomInput command;
-    command.mutable_set_role()->set_client(arguments.client);
-    const Result<v1::PlayerRole> role = parse_role(arguments.role);
-    if (!role.ok()) return usage_error(role.error());
-    command.mutable_set_role()->set_role(*role);
-    return moderate(server, arguments, command,
-                    client_text(arguments) + " has the role " + arguments.role);
-}
-
-Outcome kick_from_room(Connection& server, const CommandArguments& arguments) {
-    v1::RoomInput command;
-    command.mutable_kick()->set_client(arguments.client);
-    command.mutable_kick()->set_reason(arguments.reason);
-    return moderate(server, arguments, command,
-                    client_text(arguments) + " was removed from the room; it may join again");
-}
-
-Outcome ban_from_room(Connection& server, const CommandArguments& arguments) {
-    v1::RoomInput command;
-    command.mutable_ban()->set_client(arguments.client);
-    command.mutable_ban()->set_seconds(arguments.hours * 3600);
-    command.mutable_ban()->set_reason(arguments.reason);
-    return moderate(server, arguments, command,
-                    client_text(arguments) + " is banned from the room");
-}
-
-Outcome unban_from_room(Connection& server, const CommandArguments& arguments) {
-    v1::RoomInput command;
-    command.mutable_unban()->set_member(arguments.member);
-    return moderate(server, arguments, command,
-                    sanitized(arguments.member) + " is no longer banned from the room");
-}
-
-Outcome mute(Connection& server, const CommandArguments& arguments) {
-    v1::RoomInput command;
-    command.mutable_mute()->set_client(arguments.client);
-    command.mutable_mute()->set_seconds(arguments.seconds);
-    return moderate(
-        server, arguments, command,
-        client_text(arguments) + (arguments.seconds > 0
-                                      ? " is muted for " + number_text(arguments.seconds, 0) + " s"
-                                      : " is no longer muted"));
-}
-
-Outcome clean_up(Connection& server, const CommandArguments& arguments) {
-    v1::RoomInput command;
-    command.mutable_clean_up()->set_client(arguments.client);
-    return moderate(server, arguments, command,
-                    "the bodies of " + client_text(arguments) + " were deleted");
-}
-
-Outcome protect(Connection& server, const CommandArguments& arguments) {
-    v1::RoomInput command;
-    v1::ProtectedArea& area = *command.mutable_protect()->mutable_area();
-    const auto write = [](v1::Vec3& to, const std::vector<double>& from) {
-        to.set_x(from.at(0)), to.set_y(from.at(1)), to.set_z(from.at(2));
-    };
-    area.set_name(arguments.area);
-    area.set_min_role(arguments.role);
-    write(*area.mutable_min(), arguments.min);
-    write(*area.mutable_max(), arguments.max);
-    return moderate(server, arguments, command, sanitized(arguments.area) + " is protected");
-}
-
-Outcome unprotect(Connection& server, const CommandArguments& arguments) {
-    v1::RoomInput command;
-    command.mutable_unprotect()->set_name(arguments.area);
-    return moderate(server, arguments, command,
-                    sanitized(arguments.area) + " is no longer protected");
-}
-
-Outcome update_room(Connection& server, const CommandArguments& arguments) {
-    const Result<std::string> read = read_file(arguments.file);
-    if (!read.ok()) return usage_error(read.error());
-    v1::RoomInput command;
-    if (Status s = scenes::read_json_message(*read, *command.mutable_settings()); !s.ok())
-        return usage_error(in_file(arguments.file, s.error()));
-    return moderate(server, arguments, command,
-                    sanitized(arguments.world) + " has the settings of " + arguments.file);
-}
-
-Outcome reset(Connection& server, const CommandArguments& arguments) {
-    v1::RoomInput command;
-    command.mutable_reset();
-    return moderate(server, arguments, command,
-                    sanitized(arguments.world) + " starts from its scene again");
 }
 
 Outcome drain(Connection& server, const CommandArguments& arguments) {

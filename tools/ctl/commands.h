@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -33,6 +34,14 @@ struct CommandArguments {
     bool is_text = false, removes = false;
     std::string role, topic = "chat", text;
     std::vector<std::uint32_t> recipients;  // of a message; empty: all players
+    // Of bodies and joints.
+    std::uint32_t entity = 0, joint = 0, entity_a = 0, entity_b = 0, percent = 100;
+    std::vector<double> position, rotation, velocity, angular_velocity, offset{0, 0, 0};
+    std::optional<double> mass, density, friction, restitution, gravity_scale;
+    std::string color, kind;
+    bool freeze = false, unfreeze = false, jointed = false, collides = false, newest = false;
+    std::vector<double> axis, limit, motor;
+    double break_force = 0, break_torque = 0;
     bool json = false;
 };
 
@@ -61,18 +70,6 @@ Outcome undo(Connection& server, const CommandArguments& arguments);
 Outcome backup(Connection& server, const CommandArguments& arguments);
 // Removes the bodies that `client` spawned in `world`.
 Outcome remove_bodies(Connection& server, const CommandArguments& arguments);
-Outcome show_room(Connection& server, const CommandArguments& arguments);
-// Moderation of the room of `world`.
-Outcome set_room_role(Connection& server, const CommandArguments& arguments);
-Outcome kick_from_room(Connection& server, const CommandArguments& arguments);
-Outcome ban_from_room(Connection& server, const CommandArguments& arguments);
-Outcome unban_from_room(Connection& server, const CommandArguments& arguments);
-Outcome mute(Connection& server, const CommandArguments& arguments);
-Outcome clean_up(Connection& server, const CommandArguments& arguments);
-Outcome protect(Connection& server, const CommandArguments& arguments);
-Outcome unprotect(Connection& server, const CommandArguments& arguments);
-Outcome update_room(Connection& server, const CommandArguments& arguments);
-Outcome reset(Connection& server, const CommandArguments& arguments);
 // Players, attributes and messages of `world`.
 Outcome list_players(Connection& server, const CommandArguments& arguments);
 Outcome set_role(Connection& server, const CommandArguments& arguments);

@@ -68,6 +68,7 @@ Result<Connection> Connection::open(const ConnectionFlags& flags) {
         flags.server, client::channel_credentials(connection.security_), arguments);
     connection.admin_ = v1::AdminService::NewStub(channel);
     connection.worlds_ = v1::WorldService::NewStub(channel);
+    connection.queries_ = v1::QueryService::NewStub(channel);
     return connection;
 }
 

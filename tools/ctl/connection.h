@@ -13,6 +13,7 @@
 #include "jostle/base/result.h"
 #include "jostle/client/security.h"
 #include "jostle/v1/admin.grpc.pb.h"
+#include "jostle/v1/query.grpc.pb.h"
 #include "jostle/v1/world.grpc.pb.h"
 
 namespace jostle::ctl {
@@ -48,7 +49,9 @@ private:
     // Role that a call requires (server/auth/access_table.cpp).
     template <class Request>
     static constexpr const char* role_of() {
-        if (std::is_same_v<Request, v1::ListWorldsRequest>) return "a viewer";
+        if (std::is_same_v<Request, v1::ListWorldsRequest> ||
+            std::is_same_v<Request, v1::InspectRequest>)
+            return "a viewer";
         if (std::is_same_v<Request, v1::CreateWorldRequest> ||
             std::is_same_v<Request, v1::DeleteWorldRequest>)
             return "a director";
@@ -62,6 +65,7 @@ private:
     client::Security security_;
     std::shared_ptr<v1::AdminService::Stub> admin_;
     std::shared_ptr<v1::WorldService::Stub> worlds_;
+    std::shared_ptr<v1::QueryService::Stub> queries_;
 };
 
 template <>
@@ -71,6 +75,11 @@ inline v1::AdminService::Stub& Connection::stub() const {
 template <>
 inline v1::WorldService::Stub& Connection::stub() const {
     return *worlds_;
+}
+
+template <>
+inline v1::QueryService::Stub& Connection::stub() const {
+    return *queries_;
 }
 
 // Reads or writes a file; "-" is standard input or output. Errors name the file.

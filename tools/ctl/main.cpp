@@ -6,7 +6,9 @@
 
 #include "base/command_line/command_line.h"
 #include "clients/cpp/cli/security_flags.h"
+#include "tools/ctl/build_commands.h"
 #include "tools/ctl/commands.h"
+#include "tools/ctl/room_commands.h"
 
 namespace {
 
@@ -31,6 +33,11 @@ Examples:
   jostlectl world create track --template race      create a room; "worlds --json" lists templates
   jostlectl room show track                         list its members, bans and protected areas
   jostlectl room role track 17 builder
+  jostlectl room speed track 25                     slow motion; see also room step, room rewind
+  jostlectl inspect yard 12                         mass, contacts and joints of entity 12
+  jostlectl edit yard 12 --position 0 5 0 --mass 20
+  jostlectl joint create yard hinge 0 12 --at 0 2 0 --axis 0 1 0
+  jostlectl reports                                 list what players reported about others
   jostlectl undo yard 17 --seconds 30               undo what client 17 did in the last 30 s
   jostlectl players arena                           list players, their roles and pings
   jostlectl say arena "the match starts"            send a message to all players
@@ -230,6 +237,119 @@ void add_data_commands(CLI::App& app, Flags& flags) {
         ->type_name("CLIENT");
 }
 
+// Bodies and joints of a world.
+void add_build_commands(CLI::App& app, Flags& flags) {
+    namespace ctl = jostle::ctl;
+    CommandArguments& w = flags.arguments;
+    CLI::App* const inspect =
+        add(app, flags, "inspect", "Show the complete state of an entity or a joint", ctl::inspect);
+    add_world_argument(inspect, flags);
+    auto* const entity = inspect->add_option("ENTITY", w.entity, "Id of the entity")
+                             ->type_name("")
+                             ->check(CLI::PositiveNumber.description(""));
+    auto* const joint = inspect->add_option("--joint", w.joint, "Show this joint instead")
+                            ->type_name("JOINT")
+                            ->check(CLI::PositiveNumber.description(""));
+    inspect->callback([&flags, entity, joint] {
+        if (entity->count() + joint->count() != 1)
+            throw CLI::RequiredError("inspect: either ENTITY or --joint JOINT");
+        flags.command = ctl::inspect;
+    });
+    inspect->footer("Example: jostlectl inspect yard 12 --json");
+
+    CLI::App* const edit =
+        add(app, flags, "edit", "Change properties of a dynamic or frozen body", ctl::edit);
+    add_world_argument(edit, flags);
+    edit->add_option("ENTITY", w.entity, "Id of the entity")->type_name("")->required();
+    const auto vector = [&](const char* name, std::vector<double>& to, const char* help) {
+        edit->add_option(name, to, help)->option_text("X Y Z")->expected(3);
+    };
+    const auto number = [&](const char* name, std::optional<double>& to, const char* help) {
+        edit->add_option(name, to, help)->type_name("NUMBER");
+    };
+    vector("--position", w.position, "Position, m [each within 10000]");
+    edit->add_option("--rotation", w.rotation, "Rotation, a quaternion")
+        ->option_text("X Y Z W")
+        ->expected(4);
+    vector("--velocity", w.velocity, "Velocity, m/s [at most 50]");
+    vector("--angular-velocity", w.angular_velocity, "Angular velocity, rad/s [at most 50]");
+    number("--mass", w.mass, "Mass, kg [0.001 to 1000000]");
+    number("--density", w.density, "Density of all shapes, kg/m^3 [1 to 20000]");
+    number("--friction", w.friction, "Friction of all shapes [0 to 10]");
+    number("--restitution", w.restitution, "Restitution of all shapes [0 to 1]");
+    number("--gravity-scale", w.gravity_scale, "Factor of gravity [-10 to 10]");
+    edit->add_option("--color", w.color, "Colour, such as ff8000")->type_name("RRGGBB");
+    auto* const freeze = edit->add_flag("--freeze", w.freeze, "Make the body static");
+    edit->add_flag("--unfreeze", w.unfreeze, "Make a frozen body dynamic again")->excludes(freeze);
+    edit->footer("Example: jostlectl edit yard 12 --position 0 5 0 --mass 20 --color ff8000");
+
+    CLI::App* const clone = add(app, flags, "clone", "Copy a dynamic body", ctl::clone);
+    add_world_argument(clone, flags);
+    clone->add_option("ENTITY", w.entity, "Id of the entity")->type_name("")->required();
+    clone->add_option("--offset", w.offset, "Position of the copy relative to the original, m")
+        ->option_text("X Y Z REQUIRED")
+        ->expected(3)
+        ->required();
+    clone->add_flag("--jointed", w.jointed,
+                    "Copy all bodies that joints connect to it as well, with the joints");
+    clone->footer("Example: jostlectl clone yard 12 --offset 2 0 0 --jointed");
+
+    CLI::App* const joints = app.add_subcommand("joint", "Create or delete a joint");
+    joints->require_subcommand(1);
+    CLI::App* const create = add(*joints, flags, "create",
+                                 "Join two bodies, or a body and the world", ctl::create_joint);
+    add_world_argument(create, flags);
+    create
+        ->add_option("KIND", w.kind,
+                     "ball, hinge, slider, fixed or distance; file for the joint in --file")
+        ->type_name("")
+        ->required();
+    create->add_option("ENTITY_A", w.entity_a, "Id of an entity; 0 is the world")
+        ->type_name("")
+        ->required();
+    create->add_option("ENTITY_B", w.entity_b, "Id of the other entity")->type_name("")->required();
+    create->add_option("--at", w.position, "Point of the joint in the world, m")
+        ->option_text("X Y Z")
+        ->expected(3);
+    create->add_option("--axis", w.axis, "Axis of a hinge or a slider [default: 0 0 1]")
+        ->option_text("X Y Z")
+        ->expected(3);
+    create
+        ->add_option("--limit", w.limit,
+                     "Range of a hinge, rad, of a slider, m, or length of a distance joint, m")
+        ->option_text("MIN MAX")
+        ->expected(2);
+    create
+        ->add_option("--motor", w.motor,
+                     "Speed, rad/s or m/s, and largest torque, N m, or force, N")
+        ->option_text("SPEED MAX")
+        ->expected(2);
+    create->add_option("--break-force", w.break_force, "Break at this force, N [default: never]")
+        ->type_name("NEWTONS");
+    create
+        ->add_option("--break-torque", w.break_torque, "Break at this torque, N m [default: never]")
+        ->type_name("NEWTON_METRES");
+    create->add_flag("--collide", w.collides, "Let the two bodies collide with each other");
+    auto* const file =
+        create
+            ->add_option("--file", w.file,
+                         "Read the joint from a JSON file as in scene files, without its bodies; "
+                         "\"-\" reads standard input")
+            ->type_name("FILE");
+    create->callback([&flags, file] {
+        if ((flags.arguments.kind == "file") != (file->count() == 1))
+            throw CLI::RequiredError("joint create: KIND file and --file FILE together");
+        flags.command = ctl::create_joint;
+    });
+    create->footer("Example: jostlectl joint create yard hinge 0 12 --at 0 2 0 --axis 0 1 0");
+    CLI::App* const removal = add(*joints, flags, "delete", "Delete a joint", ctl::delete_joint);
+    add_world_argument(removal, flags);
+    removal->add_option("JOINT", w.joint, "Id of the joint, as listed by \"inspect\"")
+        ->type_name("")
+        ->required();
+    removal->footer("Example: jostlectl joint delete yard 3");
+}
+
 void add_client_commands(CLI::App& app, Flags& flags) {
     CommandArguments& w = flags.arguments;
     add(app, flags, "clients", "List the connected clients", jostle::ctl::list_clients)
@@ -278,11 +398,26 @@ void add_client_commands(CLI::App& app, Flags& flags) {
     undo->add_option("CLIENT", w.client, "Id of the client, also one that has left")
         ->type_name("")
         ->required();
-    undo->add_option("--seconds", w.undo_seconds,
-                     "Undo the inputs of this time [default: 60; 1 to 3600]")
-        ->type_name("SECONDS")
-        ->check(CLI::Range(1.0, 3600.0).description(""));
+    auto* const seconds = undo->add_option("--seconds", w.undo_seconds,
+                                           "Undo the inputs of this time [default: 60; 1 to 3600]")
+                              ->type_name("SECONDS")
+                              ->check(CLI::Range(1.0, 3600.0).description(""));
+    undo->add_flag("--newest", w.newest,
+                   "Undo only the newest spawn, clone, deletion, edit or joint, also in a world "
+                   "that is not persisted")
+        ->excludes(seconds);
+    undo->callback([&flags] {
+        flags.command = flags.arguments.newest ? jostle::ctl::undo_newest : jostle::ctl::undo;
+    });
+    undo->footer("Example: jostlectl undo yard 17 --newest");
     add_data_commands(app, flags);
+    add_build_commands(app, flags);
+    CLI::App* const reports =
+        add(app, flags, "reports", "List what players reported about other players",
+            jostle::ctl::list_reports);
+    reports->add_option("WORLD", w.world, "Id or name of a world [default: all worlds]")
+        ->type_name("");
+    reports->footer("Example: jostlectl reports arena");
     CLI::App* const backup =
         add(app, flags, "backup", "Download a backup of all persisted worlds", jostle::ctl::backup);
     backup->add_option("FILE", w.file, "File to write")->type_name("")->required();
@@ -334,11 +469,11 @@ void add_room_commands(CLI::App& app, Flags& flags) {
     for (CLI::App* const sub : {protect, unprotect})
         sub->add_option("AREA", w.area, "Name of the area")->type_name("")->required();
     protect->add_option("--min", w.min, "Corner of the box, m")
-        ->type_name("X Y Z")
+        ->option_text("X Y Z REQUIRED")
         ->expected(3)
         ->required();
     protect->add_option("--max", w.max, "Opposite corner of the box, m")
-        ->type_name("X Y Z")
+        ->option_text("X Y Z REQUIRED")
         ->expected(3)
         ->required();
     protect->add_option("--role", w.role, "Lowest role that may act in the area [default: builder]")
@@ -348,6 +483,35 @@ void add_room_commands(CLI::App& app, Flags& flags) {
         ->type_name("")
         ->required();
     command("reset", "Start the world from its scene again", ctl::reset);
+    CLI::App* const settings =
+        command("settings", "Write the settings as JSON", ctl::write_room_settings);
+    settings->add_option("FILE", w.file, "File to write; \"-\" is standard output [default: -]")
+        ->type_name("")
+        ->default_str("");
+    settings->callback([&flags] {
+        if (flags.arguments.file.empty()) flags.arguments.file = "-";
+        flags.command = ctl::write_room_settings;
+    });
+    settings->footer("Example: jostlectl room settings track room.json");
+    CLI::App* const step = command("step", "Step a paused room", ctl::step);
+    step->add_option("STEPS", w.steps, "Number of steps [default: 1; 1 to 1000]")
+        ->type_name("")
+        ->check(CLI::Range(1, 1000).description(""));
+    step->footer("Example: jostlectl pause track && jostlectl room step track 10");
+    CLI::App* const speed =
+        command("speed", "Run the room slower than real time", ctl::set_room_speed);
+    speed->add_option("PERCENT", w.percent, "Percent of real time, a multiple of 5 [5 to 100]")
+        ->type_name("")
+        ->required();
+    speed->footer("Example: jostlectl room speed track 25");
+    CLI::App* const rewind =
+        command("rewind", "Continue from an earlier state of the timeline", ctl::rewind_room);
+    rewind->add_option("TICK", w.tick, "Tick, as listed by \"room ticks\"")
+        ->type_name("")
+        ->required();
+    rewind->footer("Example: jostlectl room rewind track 1234");
+    command("ticks", "List the ticks to which the room can be rewound", ctl::list_restorable_ticks)
+        ->footer("Example: jostlectl room ticks track | tail -1");
 }
 
 // Commands that read and write files on this machine.

@@ -98,6 +98,24 @@ std::string clients_text(const v1::ListClientsResponse& clients) {
     return table.text();
 }
 
+std::string reports_text(const v1::ListReportsResponse& reports) {
+    if (reports.reports().empty()) return "There are no reports of players.\n";
+    Table table({{"WORLD"}, {"TICK", Align::right}, {"TIME"}, {"FROM"}, {"ABOUT"}, {"REASON"}});
+    const auto client_text = [](std::uint32_t client, const std::string& name) {
+        if (client == 0) return std::string("-");
+        return std::to_string(client) + " " + sanitized(name);
+    };
+    for (const v1::ReportInfo& report : reports.reports()) {
+        std::string reason = sanitized(report.reason(), 100);
+        for (const std::string& message : report.messages())
+            reason += "  \"" + sanitized(message, 60) + "\"";
+        table.add({sanitized(report.world_name()), std::to_string(report.tick()), report.time(),
+                   client_text(report.from(), report.from_name()),
+                   client_text(report.client(), report.name()), reason});
+    }
+    return table.text();
+}
+
 std::string players_text(const v1::ListPlayersResponse& players) {
     if (players.players().empty()) return "The world has no players.\n";
     Table table({{"ID", Align::right},

@@ -13,6 +13,7 @@ namespace jostle::ctl {
 std::string worlds_text(const v1::ListWorldsResponse& worlds);
 std::string room_text(const v1::GetRoomResponse& room);
 std::string clients_text(const v1::ListClientsResponse& clients);
+std::string reports_text(const v1::ListReportsResponse& reports);
 std::string players_text(const v1::ListPlayersResponse& players);
 std::string attributes_text(const v1::GetAttributesResponse& attributes);
 std::string bans_text(const v1::ListBansResponse& bans);

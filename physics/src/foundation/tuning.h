@@ -265,9 +265,11 @@ inline constexpr double trusted_overlap = 5e-4;
 // --- continuous collision ---
 // A body is swept if one of its points may have moved further than this fraction of its thickness.
 inline constexpr double sweep_fraction = 0.5;
-// Sweeps of a step (StepProfile::sweeps) after which impacts between dynamic bodies are left to the
-// contact solver: a base, and a number for each awake body.
-inline constexpr int min_sweep_limit = 16384, sweeps_per_body = 16;
+// Sweeps of a step (StepProfile::sweeps_after_impacts) after which impacts between dynamic bodies
+// are left to the contact solver: a base, and a number for each awake body. Only sweeps find the
+// time of a bounce, so the limit is higher if some bodies may bounce.
+inline constexpr int min_sweep_limit = 2048, sweeps_per_body = 2;
+inline constexpr int min_bounce_sweep_limit = 16384, bounce_sweeps_per_body = 16;
 // A sweep stops at this gap.
 inline constexpr double sweep_gap = 1e-4;  // m
 // If an impact has just moved a body towards another one that it touches, a speed above this is an

@@ -37,6 +37,14 @@ RestorePoint::RestorePoint(RestorePoint&&) noexcept = default;
 RestorePoint& RestorePoint::operator=(RestorePoint&&) noexcept = default;
 RestorePoint::~RestorePoint() = default;
 
+std::size_t RestorePoint::module_bytes() const {
+    std::size_t bytes = 0;
+    if (state_)
+        for (const CapturedState::ModuleState& module : state_->modules)
+            bytes += module.state.capacity();
+    return bytes;
+}
+
 void RestorePoint::capture(const World& world) {
     if (!state_) state_ = std::make_unique<CapturedState>();
     state_->stores = state_of(world);

@@ -166,7 +166,7 @@ std::map<std::string, Expected> expected_permissions() {
         {Role::admin,
          token_worlds,
          {"jostle.v1.AdminService/GetServerStatus", "jostle.v1.AdminService/ListClients",
-          "jostle.v1.AdminService/Kick"}},
+          "jostle.v1.AdminService/Kick", "jostle.v1.AdminService/ListReports"}},
         {Role::admin,
          server,
          {"jostle.v1.AdminService/Drain", "jostle.v1.AdminService/Backup",
@@ -181,7 +181,8 @@ std::map<std::string, Expected> expected_permissions() {
           "jostle.v1.AdminService/ListPlayers", "jostle.v1.AdminService/SetPlayerRole",
           "jostle.v1.AdminService/GetAttributes", "jostle.v1.AdminService/SetAttributes",
           "jostle.v1.AdminService/SendMessage", "jostle.v1.AdminService/GetRoom",
-          "jostle.v1.AdminService/ModerateRoom", "POST /api/admin/{method}", "GET /debug/profile"}},
+          "jostle.v1.AdminService/ApplyInput", "jostle.v1.AdminService/ModerateRoom",
+          "POST /api/admin/{method}", "GET /debug/profile"}},
     };
     std::map<std::string, Expected> expected;
     for (const auto& [role, object, calls] : groups)

@@ -8,6 +8,7 @@
 #include "jostle/scenes/catalog.h"
 #include "server/http/http_error.h"
 #include "tests/server/server_parts.h"
+#include "tests/support/wait_until.h"
 
 namespace jostle::server {
 namespace {
@@ -44,6 +45,35 @@ TEST_F(AdminApiTest, pauses_a_world) {
     EXPECT_TRUE(worlds.find("yard")->lifecycle().paused());
     EXPECT_EQ(call("SetPaused", R"({"world": "pit", "paused": true})").status, 404);
     EXPECT_EQ(call("SetPaused", R"({"wurld": "yard"})").status, 400);
+}
+
+// The monitor page shows them.
+TEST_F(AdminApiTest, lists_the_reports_of_players) {
+    const auto world = worlds.find("yard");
+    ASSERT_TRUE(world->mailbox().push(
+        {.client = 7, .action = JoinCommand{.name = "ada"}, .reply = nullptr}));
+    ASSERT_TRUE(world->mailbox().push(
+        {.client = 7,
+         .sequence = 1,
+         .action = SendMessageCommand{.topic = "report",
+                                      .data = R"({"client": 9, "name": "bob", "reason": "Spam"})",
+                                      .to_server = true},
+         .reply = nullptr}));
+    ASSERT_TRUE(test::wait_until([&] { return !world->reports()->list().empty(); }));
+    for (const char* method : {"GetServerStatus", "ListReports"}) {
+        const HttpResponse response = call(method, "{}");
+        ASSERT_EQ(response.status, 200) << response.body;
+        const nlohmann::json reports = json(response).at("reports");
+        ASSERT_EQ(reports.size(), 1u) << method;
+        EXPECT_EQ(reports[0].at("worldName"), "yard");
+        EXPECT_EQ(reports[0].at("fromName"), "ada");
+        EXPECT_EQ(reports[0].at("client"), 9);
+        EXPECT_EQ(reports[0].at("name"), "bob");
+        EXPECT_EQ(reports[0].at("reason"), "Spam");
+        EXPECT_TRUE(reports[0].at("messages").empty());
+    }
+    EXPECT_EQ(call("ListReports", R"({"world": "pit"})").status, 404);
+    EXPECT_EQ(call("ListReports", "{}", Role::director).status, 403);
 }
 
 TEST_F(AdminApiTest, requires_the_role_admin_and_limits_the_methods) {

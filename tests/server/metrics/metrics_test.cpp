@@ -73,6 +73,7 @@ TEST_F(MetricsTest, world_series_exist_while_held) {
         WorldMetrics world(metrics, "arena \"one\"\n");
         const std::vector<double> stage_ms{0.5, 1.5};
         world.count_tick({.seconds = 0.003,
+                          .lateness_seconds = 0.0015,
                           .stage_ms = stage_ms,
                           .bodies = 40,
                           .awake = 12,
@@ -90,6 +91,8 @@ TEST_F(MetricsTest, world_series_exist_while_held) {
         EXPECT_EQ(value("jostle_tick_duration_seconds_count" + label + "}"), 2);
         EXPECT_EQ(value("jostle_tick_duration_seconds_bucket" + label + ",le=\"0.001\"}"), 1);
         EXPECT_NEAR(value("jostle_tick_duration_seconds_sum" + label + "}"), 0.0031, 1e-9);
+        EXPECT_EQ(value("jostle_tick_lateness_seconds_bucket" + label + ",le=\"0.001\"}"), 1);
+        EXPECT_EQ(value("jostle_tick_lateness_seconds_bucket" + label + ",le=\"0.002\"}"), 2);
         // The times of the step stages cover all worlds and remain when a world is removed.
         EXPECT_DOUBLE_EQ(value("jostle_step_stage_seconds_total{stage=\"solve\"}"), 0.0015);
     }
@@ -177,7 +180,7 @@ TEST_F(MetricsTest, names_and_help_follow_promtool_rules) {
             EXPECT_EQ(type == "counter", family.ends_with("_total")) << family;
         }
     }
-    EXPECT_EQ(families, 41) << "every family of the table must have a series";
+    EXPECT_EQ(families, 42) << "every family of the table must have a series";
 }
 
 }  // namespace

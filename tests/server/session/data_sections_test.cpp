@@ -117,6 +117,37 @@ TEST_F(DataSectionsTest, every_client_has_the_player_list) {
     EXPECT_EQ(ann.conversation.view().data().players().size(), 1u);
 }
 
+TEST_F(DataSectionsTest, clients_receive_the_room_as_their_role_may_see_it) {
+    RoomProperties properties{.title = "Night race", .join_code = "sesame"};
+    ASSERT_TRUE(set_permission(properties, "player.explode", "none").ok());
+    world = *server.worlds.create("race", test::small_scene(), "", std::move(properties));
+    client::ClientOptions hello{.world = "race", .room = true, .join_code = "sesame"};
+    SessionHarness owner(server, hello);
+    run({&owner});
+    SessionHarness player(server, hello);
+    run({&owner, &player});
+    const auto room = [](const SessionHarness& of) { return of.conversation.view().data().room(); };
+    ASSERT_TRUE(room(owner) && room(player));
+    EXPECT_EQ(room(owner)->settings().join_code(), "sesame");
+    EXPECT_EQ(room(player)->settings().join_code(), "") << "only for those who may change it";
+    EXPECT_EQ(room(player)->settings().title(), "Night race");
+    ASSERT_EQ(room(player)->settings().permissions_size(), 1) << "only the replaced entries";
+    EXPECT_EQ(room(player)->settings().permissions().at("player.explode"), "none");
+
+    as_server(RoomCommand{UpdateRoom{std::make_shared<const RoomProperties>(
+        RoomProperties{.title = "Day race", .join_code = "thyme"})}});
+    run({&owner, &player});
+    EXPECT_EQ(room(owner)->settings().join_code(), "thyme");
+    EXPECT_EQ(room(player)->settings().title(), "Day race");
+    EXPECT_EQ(room(player)->settings().permissions_size(), 0);
+
+    // A new owner sees the code, and the former one no longer does.
+    as_server(RoomCommand{SetRole{id(player), PlayerRole::owner}});
+    run({&owner, &player});
+    EXPECT_EQ(room(player)->settings().join_code(), "thyme");
+    EXPECT_EQ(room(owner)->settings().join_code(), "");
+}
+
 TEST_F(DataSectionsTest, pings_arrive_once_per_second) {
     SessionHarness ann(server, options("ann"), {.latency_ms = 40});
     run({&ann}, 180);

@@ -267,6 +267,43 @@ TEST_F(EditsTest, undo_reverts_the_actions_of_its_client_only) {
     EXPECT_TRUE(world.host_state(1).undo.empty());
 }
 
+// jostlectl and AdminService.ApplyInput.
+TEST_F(EditsTest, server_builds_without_an_owner_and_undoes_for_a_client) {
+    world.enable_journal();
+    const auto as_server = [&](Action action, ClientId client = scene_client) {
+        InputResult result;
+        const Status done = world.apply_between_inputs(client, action, result);
+        EXPECT_TRUE(done.ok()) << done.error().message;
+        return result;
+    };
+    SpawnCommand box;
+    box.shape.geometry = Box{{0.25, 0.25, 0.25}};
+    box.pose.position = {5, 20, 0};
+    const EntityId first = as_server(box).entity;
+    for (int k = 1; k <= 45; k++)  // a client may own 40
+        as_server(CloneCommand{first, {2.0 * k, 0, 0}});
+    as_server(EditCommand{.entity = first, .mass = 7});
+    EXPECT_EQ(body(first).mass, 7);
+    EXPECT_EQ(description(first)->owner, scene_client);
+    const std::uint32_t joint =
+        as_server(CreateJointCommand{0, first, Transform{{5, 20, 0}, {}}, {.kind = BallJoint{}}})
+            .joint;
+    ASSERT_NE(joint, 0u);
+    as_server(DeleteJointCommand{.joint = joint});
+    EXPECT_TRUE(world.world().joints().empty());
+    EXPECT_TRUE(world.host_state(1).undo.empty());
+    EXPECT_TRUE(world.host_state(1).owned.empty());
+
+    const EntityId own = spawn(actor, {5, 30, 0});
+    EXPECT_EQ(as_server(UndoCommand{}, actor).entity, own);
+    EXPECT_EQ(description(own), nullptr);
+    HostedWorld replayed = new_world();
+    for (const JournaledCommand& one : world.take_journal()) replayed.replay(one);
+    step();
+    ASSERT_TRUE(replayed.step(dt).ok());
+    EXPECT_EQ(state_of(replayed), state_of(world));
+}
+
 // A session of all kinds of actions.
 class EditsReplayTest : public EditsTest {
 protected:

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <atomic>
 #include <mutex>
 #include <stdexcept>
@@ -45,6 +46,32 @@ struct CountingLoop {
 
 bool never_rests(const TickLoop::Tick&) {
     return false;
+}
+
+// Half of the rests begin within 8 ms of a multiple of 25 ms; without the grid a third would.
+TEST(TickLoop, rests_end_at_common_times) {
+    const auto pool = std::make_shared<TickPool>(2);
+    std::vector<CountingLoop> loops(8);
+    std::mutex mutex;
+    std::vector<Clock::duration> past;
+    std::uint32_t late = 0;
+    for (CountingLoop& each : loops) {
+        std::this_thread::sleep_for(3ms);
+        each.start(pool, {.hz = 100, .catch_up_ticks_max = 100, .rest_ticks = 5},
+                   [&](const TickLoop::Tick& tick) {
+                       const std::lock_guard lock(mutex);
+                       late += tick.late_ticks;
+                       if (tick.following >= 4)
+                           past.push_back(Clock::now().time_since_epoch() % 25ms);
+                       return true;
+                   });
+    }
+    std::this_thread::sleep_for(500ms);
+    for (CountingLoop& each : loops) each.loop.stop();
+    EXPECT_EQ(late, 0u);
+    ASSERT_GE(past.size(), 20u);
+    std::ranges::sort(past);
+    EXPECT_LT(past[past.size() / 2], 8ms);
 }
 
 TEST(TickLoop, many_loops_share_few_threads) {

@@ -1,12 +1,15 @@
 #!/usr/bin/python3
 """Runs tools/analysis/plot.py on small files. Exit status 77 (skipped) if matplotlib is missing."""
 
+import contextlib
 import importlib.util
+import io
 import pathlib
 import subprocess
 import sys
 import tempfile
 import unittest
+import unittest.mock
 
 ROOT = pathlib.Path(__file__).resolve().parents[3]
 PLOT = ROOT / "tools/analysis/plot.py"
@@ -55,6 +58,22 @@ class Plot(unittest.TestCase):
         return str(path)
 
     def run_plot(self, *arguments):
+        """Like run_program, in this process: loading matplotlib takes 1 s."""
+        import matplotlib.pyplot
+        spec = importlib.util.spec_from_file_location("plot", PLOT)
+        plot = importlib.util.module_from_spec(spec)
+        spec.loader.exec_module(plot)
+        out, err = io.StringIO(), io.StringIO()
+        with (unittest.mock.patch.object(sys, "argv", [str(PLOT), *arguments]), contextlib.redirect_stdout(out),
+              contextlib.redirect_stderr(err), matplotlib.rc_context()):
+            try:
+                status = plot.main()
+            except SystemExit as end:  # argparse
+                status = end.code
+        matplotlib.pyplot.close("all")
+        return subprocess.CompletedProcess(arguments, status, out.getvalue(), err.getvalue())
+
+    def run_program(self, *arguments):
         return subprocess.run([PLOT, *arguments], capture_output=True, text=True)
 
     def draw(self, kind, *files, options=()):
@@ -133,15 +152,21 @@ class Plot(unittest.TestCase):
         self.expect_failure("only scene tables", "accuracy", SCENES)
         self.expect_failure("2 groups; select one with --group", "residuals", RESIDUALS + "stack,120,1,Gauss-Seidel,1,1,1\n")
         self.expect_failure("not a result of jostle-bench", "speed", "[]", name="in.json")
-        run = self.run_plot("growth", "/nowhere/in.csv", "-o", "/tmp/unused.svg")
-        self.assertEqual((run.returncode, run.stderr), (1, "plot.py: cannot read /nowhere/in.csv: No such file or directory\n"))
         run = self.run_plot("growth", self.file("g.csv", GROWTH), "-o", "/nowhere/out.svg")
         self.assertEqual((run.returncode, run.stderr), (1, "plot.py: cannot write /nowhere/out.svg: No such file or directory\n"))
-        self.assertEqual(self.run_plot("growth", "in.csv", "-o", "out.gif").returncode, 2)
         self.assertEqual(self.run_plot("drawing", "in.csv", "-o", "out.svg").returncode, 2)
 
+    def test_the_program_draws_and_reports_errors(self):
+        out = pathlib.Path(self.folder.name) / "program.svg"
+        run = self.run_program("growth", self.file("g.csv", GROWTH), "-o", str(out))
+        self.assertEqual((run.returncode, run.stderr), (0, ""))
+        self.assertEqual(out.read_text(encoding="utf-8"), self.draw("growth", self.file("g.csv", GROWTH)))
+        run = self.run_program("growth", "/nowhere/in.csv", "-o", "/tmp/unused.svg")
+        self.assertEqual((run.returncode, run.stderr), (1, "plot.py: cannot read /nowhere/in.csv: No such file or directory\n"))
+        self.assertEqual(self.run_program("growth", "in.csv", "-o", "out.gif").returncode, 2)
+
     def test_help_lists_the_kinds(self):
-        text = self.run_plot("--help").stdout
+        text = self.run_program("--help").stdout
         for kind in ("accuracy", "speed", "growth", "integrators", "residuals"):
             self.assertIn(f"\n  {kind} ", text)
         self.assertLessEqual(max(map(len, text.splitlines())), 100)

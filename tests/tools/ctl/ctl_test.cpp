@@ -9,6 +9,7 @@
 #include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <iomanip>
 #include <nlohmann/json.hpp>
 #include <thread>
 
@@ -79,25 +80,18 @@ TEST_F(CtlTest, suggests_the_nearest_command_flag_and_scene) {
     EXPECT_TRUE(complains("there is no scene \"domino\"; did you mean \"dominoes\"?")) << err;
 }
 
-// A static mesh of 217,800 triangles: 5 MB as a message, more as JSON. gRPC's default limit is 4
+// A height field of 547,600 samples: 4.4 MB as a message, more as JSON. gRPC's default limit is 4
 // MiB.
 TEST_F(CtlTest, creates_again_what_it_exported_beyond_4_mib) {
     {
         std::ofstream scene(file("big.json"));
-        const int n = 331;
-        scene << R"({"name": "big", "bodies": [{"type": "BODY_TYPE_STATIC", "shapes": [{"mesh": {)"
-              << R"("vertices": [)";
-        for (int j = 0; j < n; j++)
-            for (int i = 0; i < n; i++)
-                scene << (i + j == 0 ? "" : ",") << "{\"x\":" << i * 0.1
-                      << ",\"y\":" << 0.02 * ((i * 7 + j * 13) % 5) << ",\"z\":" << j * 0.1 << "}";
-        scene << R"(], "indices": [)";
-        for (int j = 0; j + 1 < n; j++)
-            for (int i = 0; i + 1 < n; i++) {
-                const int a = j * n + i;
-                scene << (a == 0 ? "" : ",") << a << "," << a + n << "," << a + 1 << "," << a + 1
-                      << "," << a + n << "," << a + n + 1;
-            }
+        const int n = 740;
+        scene
+            << R"({"name": "big", "bodies": [{"type": "BODY_TYPE_STATIC", "shapes": [{)"
+            << R"("height_field": {"columns": 740, "rows": 740, "spacing_x": 0.1, "spacing_z": 0.1, )"
+            << R"("heights": [)" << std::setprecision(17);
+        for (int k = 0; k < n * n; k++)
+            scene << (k == 0 ? "" : ",") << (k / n * 13 + k % n * 7) % 101 / 997.0;
         scene << "]}}]}]}";
     }
     ASSERT_EQ(run("world create big --file " + file("big.json")), 0) << err;
@@ -235,6 +229,147 @@ TEST_F(CtlTest, creates_shows_and_moderates_a_room) {
     EXPECT_EQ(run("room role yard 42 king"), 2);
     EXPECT_EQ(run("room show stack"), 1);
     EXPECT_TRUE(complains("has no room")) << err;
+}
+
+TEST_F(CtlTest, inspects_edits_clones_and_joins_bodies) {
+    ASSERT_EQ(run("inspect stack 2"), 0) << err;
+    EXPECT_TRUE(says("entity            2")) << out;
+    EXPECT_TRUE(says("kg/m^3, friction ")) << out;
+    ASSERT_EQ(run("edit stack 2 --position 40 5 0 --mass 20 --color '#ff8000' --freeze"), 1);
+    EXPECT_TRUE(complains("entity 2 is frozen; only velocity, mass and density")) << err;
+    ASSERT_EQ(run("edit stack 2 --position 40 5 0 --mass 20 --color '#ff8000'"), 0) << err;
+    EXPECT_EQ(out, "entity 2 of stack is changed\n");
+    ASSERT_EQ(run("edit stack 2 --freeze"), 0) << err;
+    ASSERT_EQ(run("inspect stack 2 --json"), 0) << err;
+    EXPECT_NEAR(json()["body"]["position"]["x"].get<double>(), 40, 0.01);
+    EXPECT_EQ(json()["body"]["frozen"], true);
+    ASSERT_EQ(run("clone stack 2 --offset 0 0 30 --json"), 0) << err;
+    const unsigned copy = json()["entity"];
+    ASSERT_EQ(run("inspect stack " + std::to_string(copy) + " --json"), 0) << err;
+    EXPECT_NEAR(json()["body"]["position"]["z"].get<double>(), 30, 0.01);
+    EXPECT_EQ(json()["body"]["owner"], 0) << "the server owns nothing";
+    const std::string body = std::to_string(copy);
+    ASSERT_EQ(run("edit stack " + body + " --unfreeze"), 0) << err;
+    ASSERT_EQ(run("joint create stack hinge 0 " + body +
+                  " --at 40 6 30 --axis 1 0 0 --limit -1 1 --motor 2 300 --break-force 1e6 --json"),
+              0)
+        << err;
+    const std::string joint = std::to_string(json()["joint"].get<unsigned>());
+    ASSERT_EQ(run("inspect stack --joint " + joint), 0) << err;
+    EXPECT_TRUE(says("kind              hinge")) << out;
+    EXPECT_TRUE(says("bodies            the world and " + body)) << out;
+    EXPECT_TRUE(says("breaks at         1e+06 N, unbreakable")) << out;
+    ASSERT_EQ(run("inspect stack " + body), 0) << err;
+    EXPECT_TRUE(says("joints: 1\n")) << out;
+    ASSERT_EQ(run("joint delete stack " + joint), 0) << err;
+    EXPECT_EQ(run("joint delete stack " + joint), 1);
+    EXPECT_TRUE(complains("joint " + joint + " does not exist")) << err;
+    write("rope.json", R"({"distance": {"maxLength": 3, "spring": {"hertz": 2}}})");
+    ASSERT_EQ(run("joint create stack file 0 " + body + " --file " + file("rope.json")), 0) << err;
+}
+
+TEST_F(CtlTest, explains_wrong_edits_and_joints) {
+    EXPECT_EQ(run("inspect stack"), 2);
+    EXPECT_TRUE(complains("either ENTITY or --joint JOINT")) << err;
+    EXPECT_EQ(run("inspect stack 999"), 1);
+    EXPECT_TRUE(complains("entity 999 does not exist")) << err;
+    EXPECT_EQ(run("edit stack 2"), 1);
+    EXPECT_TRUE(complains("the edit changes nothing")) << err;
+    EXPECT_EQ(run("edit stack 2 --color red"), 2);
+    EXPECT_TRUE(complains("\"red\" is no colour; write six hexadecimal digits")) << err;
+    EXPECT_EQ(run("edit stack 2 --mass 1e9"), 1);
+    EXPECT_TRUE(complains("mass")) << err;
+    EXPECT_EQ(run("edit stack 1 --position 0 9 0"), 1);
+    EXPECT_TRUE(complains("entity 1 is not dynamic")) << err;
+    EXPECT_EQ(run("joint create stack weld 0 2 --at 0 1 0"), 2);
+    EXPECT_TRUE(complains("write ball, hinge, slider, fixed or distance")) << err;
+    EXPECT_EQ(run("joint create stack hinge 0 2"), 2);
+    EXPECT_TRUE(complains("needs its point in the world: --at 0 2 0")) << err;
+    EXPECT_EQ(run("joint create stack fixed 0 2 --at 0 1 0 --motor 1 2"), 2);
+    EXPECT_TRUE(complains("--motor is for hinge and slider joints, not for fixed")) << err;
+    EXPECT_EQ(run("joint create stack distance 0 2"), 2);
+    EXPECT_TRUE(complains("shortest and longest length")) << err;
+    EXPECT_EQ(run("joint create stack file 0 2"), 2);
+    EXPECT_TRUE(complains("KIND file and --file FILE together")) << err;
+    EXPECT_EQ(run("joint create stack fixed 2 2 --at 0 1 0"), 1);
+    EXPECT_TRUE(complains("entity_a and entity_b are equal")) << err;
+    EXPECT_EQ(run("undo stack 17 --newest"), 1);
+    EXPECT_TRUE(complains("the client has no action to undo")) << err;
+    ASSERT_EQ(run("joint create --help"), 0);
+    EXPECT_TRUE(says("Example: jostlectl joint create")) << out;
+}
+
+TEST_F(CtlTest, undoes_the_newest_action_of_a_client) {
+    const auto player = grpc_player(server.grpc_address());
+    player->hello();
+    player->send_inputs({spawn_ball(0, 20, 0)});
+    ASSERT_TRUE(player->wait_until([](const PlayState& state) { return !state.results.empty(); }));
+    const std::string client =
+        std::to_string(player->with_state([](const PlayState& state) { return state.client_id; }));
+    ASSERT_EQ(run("undo stack " + client + " --newest"), 0) << err;
+    EXPECT_TRUE(says("the newest action of client " + client + " is undone; it concerned entity "))
+        << out;
+    EXPECT_EQ(run("undo stack " + client + " --newest"), 1);
+}
+
+TEST_F(CtlTest, controls_the_time_of_a_room) {
+    write("room.json", R"({"title": "Lab", "timelineSeconds": 60})");
+    ASSERT_EQ(run("world create lab --scene stack --room " + file("room.json")), 0) << err;
+    ASSERT_EQ(run("room speed lab 25"), 0) << err;
+    EXPECT_EQ(out, "lab runs at 25 % of real time\n");
+    EXPECT_EQ(run("room speed lab 7"), 1);
+    EXPECT_TRUE(complains("multiple of 5")) << err;
+    for (int k = 0; k < 100; k++)  // from the next tick on
+        if (run("room ticks lab --json") != 0 || json()["speedPercent"] == 25) break;
+    EXPECT_EQ(json()["speedPercent"], 25);
+    ASSERT_EQ(run("room speed lab 100"), 0) << err;
+    ASSERT_EQ(run("room ticks lab"), 0) << err;
+    const std::string first = out.substr(0, out.find('\n'));
+    ASSERT_EQ(run("pause lab"), 0) << err;
+    ASSERT_EQ(run("room step lab 3"), 0) << err;
+    EXPECT_TRUE(says("3 steps taken")) << out;
+    EXPECT_EQ(run("room rewind lab 4000000000"), 1);
+    EXPECT_TRUE(complains("tick 4000000000 cannot be restored; the timeline has ")) << err;
+    ASSERT_EQ(run("resume lab"), 0) << err;
+    ASSERT_EQ(run("room rewind lab " + first), 0) << err;
+    EXPECT_TRUE(says("lab continues from its state after tick " + first)) << out;
+    ASSERT_EQ(run("room settings lab " + file("saved.json")), 0) << err;
+    ASSERT_EQ(run("room update lab " + file("saved.json")), 0) << err;
+    ASSERT_EQ(run("room settings lab"), 0) << err;
+    EXPECT_EQ(json()["timelineSeconds"], 60);
+    write("short.json", R"({"title": "Lab"})");
+    ASSERT_EQ(run("room update lab " + file("short.json")), 0) << err;
+}
+
+TEST_F(CtlTest, lists_the_reports_of_players) {
+    ASSERT_EQ(run("reports"), 0) << err;
+    EXPECT_EQ(out, "There are no reports of players.\n");
+    const auto player = grpc_player(server.grpc_address());
+    player->hello("", "ada");
+    ASSERT_TRUE(player->wait_until([](const PlayState& state) { return state.client_id != 0; }));
+    const unsigned client =
+        player->with_state([](const PlayState& state) { return state.client_id; });
+    v1::Input input;
+    v1::SendMessageInput& report = *input.mutable_send_message();
+    report.set_topic("report");
+    report.set_to_server(true);
+    report.set_data(R"({"client":)" + std::to_string(client) +
+                    R"(,"name":"bob","reason":"Spam","messages":["buy\u001b[2J now"]})");
+    player->send_inputs({input});
+    ASSERT_TRUE(player->wait_until([](const PlayState& state) { return !state.results.empty(); }));
+    ASSERT_EQ(run("reports stack --json"), 0) << err;
+    ASSERT_EQ(json()["reports"].size(), 1u);
+    const nlohmann::json found = json()["reports"][0];
+    EXPECT_EQ(found["from"], client);
+    EXPECT_EQ(found["client"], client);
+    EXPECT_EQ(found["name"], "ada") << "the server knows the name";
+    EXPECT_EQ(found["reason"], "Spam");
+    EXPECT_GT(found["tick"], 0);
+    ASSERT_EQ(run("reports"), 0) << err;
+    EXPECT_TRUE(says("Spam")) << out;
+    EXPECT_EQ(out.find('\x1b'), std::string::npos) << "no control characters";
+    EXPECT_EQ(run("reports nowhere"), 1);
+    EXPECT_TRUE(complains("there is no world \"nowhere\"")) << err;
 }
 
 TEST_F(CtlTest, lists_and_kicks_clients) {

@@ -378,6 +378,7 @@ std::string PlayProtocol::hello() {
     if (options_.precision) write(*hello.mutable_precision(), *options_.precision);
     hello.set_players(options_.players);
     hello.set_attributes(options_.attributes);
+    hello.set_room(options_.room);
     for (const std::string& topic : options_.topics) hello.add_topics(topic);
     if (options_.color) hello.set_color(*options_.color);
     hello.set_resumable(options_.resume && options_.reconnect);

@@ -23,12 +23,14 @@ AttributeTarget target_of(const v1::AttributeSet& set) {
 void WorldData::clear() {
     players_.clear();
     attributes_.clear();
+    room_.reset();
     attribute_revision_++;
 }
 
 void WorldData::apply(const v1::Snapshot& snapshot) {
     for (const v1::PlayerUpdate& update : snapshot.players()) apply(update);
     for (const v1::AttributeUpdate& update : snapshot.attributes()) apply(update);
+    if (snapshot.has_room()) room_ = snapshot.room();
 }
 
 void WorldData::apply(const v1::PlayerUpdate& update) {

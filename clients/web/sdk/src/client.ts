@@ -58,6 +58,8 @@ export interface ConnectOptions {
   readonly players?: boolean;
   /** Whether to receive attributes (Client.data); default: false. */
   readonly attributes?: boolean;
+  /** Whether to receive the settings of the room (Client.data); default: false. */
+  readonly room?: boolean;
   /** Topics of user messages to receive (ConnectionListener.userMessage), at most 64; "*": all; default: none. */
   readonly topics?: readonly string[];
   /**
@@ -146,9 +148,9 @@ export class Client {
       playerEvent: (event) => listener.playerEvent?.(event),
       dataChanged: (data) => listener.dataChanged?.(data),
     };
-    const { name, color, players, attributes, topics } = options;
+    const { name, color, players, attributes, room, topics } = options;
     this.connection = new Connection({
-      url, listener: forward, openSocket: options.openSocket, token, joinCode, channelKinds, areaOfInterest, precision, joints, name, color, players, attributes, topics,
+      url, listener: forward, openSocket: options.openSocket, token, joinCode, channelKinds, areaOfInterest, precision, joints, name, color, players, attributes, room, topics,
     });
     this.connection.setEventsEnabled(events);
   }
@@ -348,7 +350,7 @@ export class Client {
     this.room({ case: 'rewind', value: { tick } });
   }
 
-  /** Players and attributes, for clients that subscribed to them. */
+  /** Players, attributes and the room, for clients that subscribed to them. */
   get data(): WorldData {
     return this.connection.data;
   }

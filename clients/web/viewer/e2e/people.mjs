@@ -158,7 +158,7 @@ async function testList({ wide, phone, until, expect, take }) {
   await wide.locator('#players li', { hasText: HOSTILE_NAME }).locator('button').click();
   await until('the menu of the player is open', () => wide.locator('#context-menu').isVisible());
   const actions = await wide.locator('#context-menu button').allTextContents();
-  expect(['Follow', 'Mute for me', 'Report …', 'Mute for all, 5 minutes', 'Kick', 'Ban for 24 hours …'].every((label) => actions.includes(label)), `the owner may ${actions.join(', ')}`);
+  expect(['Follow', 'Mute for me', 'Report …', 'Mute for all, 5 minutes', 'Kick', 'Ban …'].every((label) => actions.includes(label)), `the owner may ${actions.join(', ')}`);
   await take(wide, 'wide-player-menu');
   await wide.keyboard.press('Escape');
   await phone.locator('#players li', { hasText: 'Ann' }).locator('button').tap();
@@ -169,6 +169,13 @@ async function testList({ wide, phone, until, expect, take }) {
   await phone.locator('#context-menu button', { hasText: 'Report' }).tap();
   await phone.locator('#context-menu button', { hasText: 'Spam' }).tap();
   await until('the report is confirmed', async () => (await people(phone)).lines.some(({ text }) => /^You reported Ann to the server/.test(text)));
+  await until('the server lists the report', async () => {
+    const { reports } = await wide.evaluate(async () => {
+      const request = { method: 'POST', headers: { 'Content-Type': 'application/json' }, body: '{}' };
+      return (await fetch('api/admin/ListReports', request)).json();
+    });
+    return reports.some(({ name, reason, from }) => name === 'Ann' && reason === 'Spam' && from > 0);
+  });
   await phone.locator('#players .close').tap();
 }
 

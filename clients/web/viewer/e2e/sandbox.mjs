@@ -49,6 +49,7 @@ export async function testSandbox({ browser, url, post, until, expect, screensho
   try {
     const tools = { page: wide, until, expect, take, ...helpersOf(wide, until) };
     await testInspector(tools);
+    await testAttributes(tools);
     await testEditing(tools);
     await testJointTool(tools);
     await testBreakingJoint(tools);
@@ -99,6 +100,58 @@ export async function testInspector({ page, until, expect, take, idsOf, get, cli
     await page.keyboard.press('t');
     await checkAccessibility(page, `inspector, ${theme} theme`, expect);
   }
+}
+
+/** Attributes of each type: added, changed, refused at their field, and removed. */
+export async function testAttributes({ page, until, expect, idsOf, get, clickBody, take }) {
+  const [crate] = await idsOf('crate');
+  await page.keyboard.press('0');
+  await clickBody(crate);
+  await until('the crate is selected', async () => (await get('selected'))?.id === crate);
+  const editor = page.locator('#inspector .attributes');
+  expect(/no attributes/.test(await editor.locator('.note').textContent()), 'a body without attributes says so');
+  const attributes = () => page.evaluate((id) => window.jostle.attributesOf(id), crate);
+  const add = async (key, type, value) => {
+    await editor.locator('input[name=key]').fill(key);
+    await editor.locator('select[name=type]').selectOption(type);
+    const field = editor.locator('[name=value]');
+    if (type === 'boolean') await field.selectOption(value);
+    else await field.fill(value);
+    await editor.locator('button', { hasText: 'Add' }).click();
+  };
+  await add('open', 'boolean', 'true');
+  await add('hp', 'integer', '40');
+  await add('weight.factor', 'number', '0.25');
+  await add('label', 'text', 'fragile שביר');
+  await add('home', 'vector', '1, 2.5, -3');
+  const expected = { open: true, hp: 40, 'weight.factor': 0.25, label: 'fragile שביר', home: { x: 1, y: 2.5, z: -3 } };
+  const same = (got) => Object.entries(expected).every(([key, value]) => (typeof value === 'object' ? ['x', 'y', 'z'].every((axis) => got[key]?.[axis] === value[axis]) : got[key] === value));
+  await until('attributes of five types are set', async () => same(await attributes()));
+  expect((await editor.locator('.attribute').count()) === 5, 'the inspector shows five attributes');
+  await add('hp', 'integer', '7');
+  expect(/exists/.test(await editor.locator('form .problem').first().textContent()), 'a key that exists is refused at its field');
+  await editor.locator('input[name=key]').fill('');
+  const hp = editor.locator(`[id="attribute-${crate}-hp"]`);
+  await hp.fill('many');
+  await hp.press('Tab');
+  expect(/whole number/.test(await editor.locator('.attribute .problem').filter({ hasText: /./ }).textContent()) && (await hp.getAttribute('aria-invalid')) === 'true', 'a value of another type is refused at its field');
+  await take(page, 'sandbox-attributes');
+  await checkAccessibility(page, 'attributes with a problem', expect);
+  await hp.fill('41');
+  await hp.press('Tab');
+  await until('the server changes the integer', async () => (await attributes()).hp === 41);
+  const label = editor.locator(`[id="attribute-${crate}-label"]`);
+  await label.fill('w'.repeat(300));
+  await label.press('Tab');
+  const problem = await until('the server refuses the text', () => editor.locator('.attribute .problem').filter({ hasText: /./ }).first().textContent({ timeout: 500 }).catch(() => ''));
+  expect(/300/.test(problem) && /256/.test(problem), `its reason is at the field: ${problem}`);
+  expect((await label.getAttribute('aria-invalid')) === 'true' && (await attributes()).label === expected.label, 'and the attribute is unchanged');
+  await label.press('Escape');
+  expect((await label.inputValue()) === expected.label, 'Esc restores the value');
+  for (const key of Object.keys(expected)) await editor.locator(`button[aria-label="Remove ${key}"]`).click();
+  await until('the attributes are removed', async () => Object.keys(await attributes()).length === 0);
+  expect((await editor.locator('.attribute').count()) === 0, 'attributes are added, changed and removed');
+  await page.evaluate(() => document.activeElement?.blur());
 }
 
 export async function testEditing({ page, until, expect, idsOf, get, clickBody, take }) {

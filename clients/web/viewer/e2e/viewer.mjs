@@ -1,8 +1,8 @@
 // Tests the viewer in headless Chromium against a real server: joining, dragging, throwing, shapes of
 // every kind, module renderers, picking by the server, the debug view, events, prediction over a slow
 // network, recordings, resuming after a server failure, dragging and cutting a rope, controlling a car, a
-// character and a boat, two players in one world, the lobby, the sandbox tools, and the acceptance of
-// its layout; and the example of the SDK.
+// character and a boat, two players in one world, the lobby, the sandbox tools, rooms, every tool in two
+// browsers, and the acceptance of its layout; and the example of the SDK.
 // Usage: node viewer/e2e/viewer.mjs SERVER_BINARY [--screenshot FILE]
 // FILE shows the sandbox, FILE-shapes the debug view of a world of shapes. The exit status is 1 if a
 // test fails.
@@ -22,9 +22,11 @@ import { testPeople } from './people.mjs';
 import { testPrediction } from './prediction.mjs';
 import { testRecording } from './recording.mjs';
 import { testResume } from './resume.mjs';
+import { testRoom } from './room.mjs';
 import { testSandbox } from './sandbox.mjs';
 import { testSdkExample } from './sdk_example.mjs';
 import { shapesScene } from './shapes_scene.mjs';
+import { testTools } from './tools.mjs';
 
 const [server, ...rest] = process.argv.slice(2);
 if (!server || !existsSync(server)) {
@@ -237,6 +239,8 @@ try {
 
   const nameOf = screenshot && ((what) => screenshot.replace(/(\.\w+)?$/, `-${what}$1`));
   await testSandbox({ browser, url: `http://127.0.0.1:${ports.http}`, post, until, expect, screenshot: nameOf });
+  await testRoom({ browser, server, folder, webRoot, until, expect, screenshot: nameOf });
+  await testTools({ browser, url: `http://127.0.0.1:${ports.http}`, post, until, expect });
   // Takes four minutes and measures times: JOSTLE_ACCEPTANCE=1 on a machine that does nothing else.
   if (process.env.JOSTLE_ACCEPTANCE) await testAcceptance({ browser, url: `http://127.0.0.1:${ports.http}`, post, until, expect, screenshot: nameOf });
 

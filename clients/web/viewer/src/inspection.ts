@@ -11,6 +11,7 @@ import type { ModuleView } from './module_renderers/module_view';
 import type { FrameTimes } from './ui/frame_times';
 import type { PointObjectsView } from './point_objects/point_objects_view';
 import type { JointView } from './scene/joint_view';
+import type { Room } from './room/room';
 import type { Sandbox } from './sandbox/sandbox';
 import type { SceneView } from './scene/scene_view';
 import type { UnitKind } from './scene/shape_parts';
@@ -27,6 +28,7 @@ export interface Inspected {
   readonly frameTimes: FrameTimes;
   readonly jointView: JointView;
   readonly sandbox: Sandbox;
+  readonly room: Room;
   stats(): WorldStats | undefined;
   qualityName(): string;
   recording(): RecordedStream | undefined;
@@ -35,7 +37,7 @@ export interface Inspected {
 }
 
 export function exposeInspection(inspected: Inspected): void {
-  const { connection, view, moduleView, pointObjectsView, camera, driving, frameTimes, jointView, sandbox, people } = inspected;
+  const { connection, view, moduleView, pointObjectsView, camera, driving, frameTimes, jointView, sandbox, people, room } = inspected;
   const { stats, qualityName, recording, prediction, controllableEntities } = inspected;
   /** Position of a point of the world on the page, in pixels. */
   const toScreen = (x: number, y: number, z: number) => {
@@ -82,6 +84,16 @@ export function exposeInspection(inspected: Inspected): void {
     get selectionVertexCount() {
       return sandbox.selectionView.lines.count;
     },
+    /** The settings and bans of the room as the client received them; undefined: the world is no room. */
+    get room() {
+      return connection.data.room;
+    },
+    /** Number of vertices of the drawn protected areas. */
+    get areaVertexCount() {
+      return room.areaVertexCount;
+    },
+    /** Attributes of an entity by key. */
+    attributesOf: (id: number) => Object.fromEntries([...connection.data.attributesOf({ kind: 'entity', id })].map(([key, { value }]) => [key, typeof value.value === 'bigint' ? Number(value.value) : value.value])),
     get snapshots() {
       return connection.snapshots;
     },

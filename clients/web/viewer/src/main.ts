@@ -23,7 +23,7 @@ import { Camera } from './camera/camera';
 import { exposeInspection } from './inspection';
 import { cameraYaw, combinePads, Driving, type Pad } from './interaction/driving';
 import { surfaceHeightAt, unobstructedDistance, type Pick } from './interaction/pick';
-import { TOOLS, Tools, type Tool } from './interaction/tools';
+import { TOOL_ACTIONS, TOOLS, Tools, type Tool } from './interaction/tools';
 import { TouchControls } from './interaction/touch_controls';
 import { ModuleView, RENDERED_CHANNEL_KINDS, type RenderedChannels } from './module_renderers/module_view';
 import { POINT_CHANNEL_KINDS, PointObjectsView } from './point_objects/point_objects_view';
@@ -35,6 +35,7 @@ import type { StatsPanel } from './panels/stats';
 import type { LobbyPanel } from './lobby/lobby_panel';
 import { ServerApi } from './lobby/server_api';
 import { People } from './people/people';
+import { Room } from './room/room';
 import { StatusBanner } from './panels/status_banner';
 import { TimelinePanel } from './panels/timeline';
 import { Toasts } from './panels/toasts';
@@ -150,10 +151,14 @@ const listener: ConnectionListener = {
     sandbox.onWorldChanged();
   },
   worldEvents: (events) => eventsPanel?.addEvents(events, performance.now() + renderDelayMs()),
-  inputRejected: (result) => people.rejected(result) || toasts.show(result.message || 'the server rejected the input'),
+  inputRejected: (result) => people.rejected(result) || sandbox.rejected(result) || room.rejected(result) || toasts.show(result.message || 'the server rejected the input'),
   notice: (text) => toasts.show(text),
   playerEvent: (event) => people.playerEvent(event),
-  dataChanged: () => people.dataChanged(),
+  dataChanged: () => {
+    room.onDataChanged();
+    people.dataChanged();
+    sandbox.onDataChanged();
+  },
   userMessage: (message) => people.message(message),
 };
 const open = parameters.networkConditions ? simulatedSocket(openSocket, parameters.networkConditions) : openSocket;
@@ -168,6 +173,7 @@ const people = new People({
   panels,
   contextMenu,
   token,
+  rules: () => room.rules,
   grab: () => tools.grab,
   controlled: () => driving.entity,
   isRecorded: () => recorded !== undefined,
@@ -242,7 +248,16 @@ let touchUsed = matchMedia('(pointer: coarse)').matches;
 addEventListener('pointerdown', ({ pointerType }) => (touchUsed = pointerType === 'touch'), { capture: true });
 
 const commands = new Commands();
+const room: Room = new Room({
+  scene: view.scene,
+  panels,
+  connection,
+  nameOf: (client) => people.nameOfClient(client),
+  selectedBox: () => (sandbox.selection.body === 0 ? undefined : view.boxOf(sandbox.selection.body)),
+  cameraTarget: () => camera.controls.target,
+});
 const sandbox = new Sandbox({
+  room,
   connection,
   queries,
   view,
@@ -288,14 +303,18 @@ function openBodyMenu(hit: Pick | undefined, x: number, y: number): void {
   const items: MenuItem[] = [];
   if (entity) items.push(...sandbox.menuItems(entity.id, tools.enabled));
   if (entity && entity.mass > 0) items.push({ label: 'Focus', run: () => focusBody(entity.id) });
-  if (entity?.controllable && tools.enabled) items.push({ label: 'Drive', run: () => takeControl(entity.id) });
+  if (entity?.controllable && tools.enabled) items.push({ label: 'Drive', refusal: room.rules.refusal('control'), run: () => takeControl(entity.id) });
   if (entity && tools.enabled && entity.owner !== 0 && entity.owner === connection.welcome?.clientId)
-    items.push({ label: 'Delete', run: () => connection.send({ kind: { case: 'delete', value: { entity: entity.id } } }) });
+    items.push({ label: 'Delete', refusal: room.rules.refusal('delete', 'self'), run: () => connection.send({ kind: { case: 'delete', value: { entity: entity.id } } }) });
   items.push({ label: 'Show all', run: fitView });
   contextMenu.open(hit ? describePick(entity, hit) : 'View', items, x, y);
 }
 
-const toolbar = new Toolbar<Tool>(byId('tools'), TOOLS, selectTool);
+const toolbar = new Toolbar<Tool>(byId('tools'), TOOLS, selectTool, (rule) => toasts.show(rule));
+room.onChange((rules) => {
+  toolbar.setRefusals((tool) => (TOOL_ACTIONS[tool] ? rules.refusal(TOOL_ACTIONS[tool]) : ''));
+  if (toolbar.refusalOf(tools.tool)) selectTool('inspect');
+});
 function selectTool(tool: Tool): void {
   tools.tool = tool;
   sandbox.jointTool.setSelected(tool === 'joint');
@@ -406,6 +425,7 @@ panels.register({
 });
 sandbox.register();
 people.registerPanels();
+room.register();
 panels.register({
   id: 'help',
   title: 'Help',
@@ -445,7 +465,7 @@ for (const { icon, label, hint, key, run } of viewCommands) {
   byId('panel-buttons').append(button);
 }
 
-for (const { tool, key, label } of TOOLS) commands.register({ key, label, run: () => selectTool(tool) });
+for (const { tool, key, label } of TOOLS) commands.register({ key, label, run: () => toolbar.choose(tool) });
 for (const { id, key, title } of panels.definitions) if (key) commands.register({ key, label: title, run: () => panels.toggle(id) });
 for (const { key, hint, run } of viewCommands) commands.register({ key, label: hint, run });
 
@@ -651,6 +671,7 @@ function updateFrame(seconds: number): void {
   view.update(poses);
   jointView.update(view);
   sandbox.update();
+  room.update();
   frameWorld();
   camera.update(seconds);
   renderModules(rendered);
@@ -702,6 +723,7 @@ exposeInspection({
   frameTimes,
   jointView,
   sandbox,
+  room,
   stats: () => latestStats,
   qualityName: () => quality.name,
   recording: () => recorded,

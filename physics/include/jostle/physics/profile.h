@@ -90,9 +90,12 @@ struct StepProfile {
     std::int64_t trial_substeps = 0;
     /// Solved contacts and joints, each multiplied by its sub-steps.
     std::int64_t contact_substeps = 0, joint_substeps = 0;
-    /// Continuous collision tests of one fast body. After 16384 and 16 for each awake body, impacts
-    /// between dynamic bodies are left to the contact solver, as on overload level 2.
+    /// Continuous collision tests of one fast body.
     int sweeps = 0;
+    /// Part of sweeps: after the first impact of the step. After 2048 of them and 2 for each awake
+    /// body, impacts between dynamic bodies are left to the contact solver, as on overload level 2;
+    /// after 16384 and 16 if some bodies may bounce.
+    int sweeps_after_impacts = 0;
     int impacts = 0;  ///< impacts handled by the continuous stage
     /// Work of the step in units of about 0.1 us of one current core. Estimated from counters
     /// (within a factor of 0.6 to 2 of the time in the benchmark scenes), so it is the same for any

@@ -38,6 +38,9 @@ public:
 
     bool empty() const { return !state_; }  ///< true until the first capture()
 
+    /// Size of the states of the modules, bytes.
+    std::size_t module_bytes() const;
+
     /// Copies everything that the next step depends on. Replaces the previous content and reuses
     /// its memory.
     void capture(const World& world);

@@ -26,7 +26,7 @@ bool will_be_swept(const StepContext& step, const Contact& c, double displacemen
     const WorldState& world = step.world;
     if (!world.def.continuous) return false;
     const BodyCold &a = world.bodies.cold[c.body_a], &b = world.bodies.cold[c.body_b];
-    if (left_to_contacts(world, a, b)) return false;
+    if (left_to_contacts(world, a, b, false)) return false;
     const auto sweeps = [&](const BodyCold& mover, const BodyCold& other) {
         if (!mover.continuous || mover.set != BodySet::awake) return false;
         if (displacement <= motion_without_sweep(mover, other)) return false;

@@ -18,20 +18,22 @@ inline bool had_contacts(const ContactScratch& scratch, const BodyCold& cold) {
     return cold.set == BodySet::sleeping || (cold.at < held.size() && held[cold.at] != 0);
 }
 
-// Returns whether this step has had more sweeps than a crowd of flying bodies needs. Where dozens
-// of bodies overlap, each impact changes the candidates of all others, and the sweeps would not
-// end.
-inline bool exceeds_sweeps(const WorldState& world) {
-    return world.profile.sweeps >
-           tuning::min_sweep_limit +
-               tuning::sweeps_per_body * static_cast<int>(world.bodies.awake.size());
+// Returns whether this step has had more sweeps after impacts than a crowd of flying bodies needs.
+// Where dozens of bodies overlap, each impact changes the candidates of all others, and the sweeps
+// would not end. `bouncing`: whether bodies may bounce, which needs the time of the impact.
+inline bool exceeds_sweeps(const WorldState& world, bool bouncing) {
+    const int least = bouncing ? tuning::min_bounce_sweep_limit : tuning::min_sweep_limit,
+              per_body = bouncing ? tuning::bounce_sweeps_per_body : tuning::sweeps_per_body;
+    return world.profile.sweeps_after_impacts >
+           least + per_body * static_cast<int>(world.bodies.awake.size());
 }
 
 // Returns whether the overload level or the number of sweeps leaves impacts between two dynamic
 // bodies to the contact solver, regardless of their speed.
-inline bool left_to_contacts(const WorldState& world, const BodyCold& a, const BodyCold& b) {
+inline bool left_to_contacts(const WorldState& world, const BodyCold& a, const BodyCold& b,
+                             bool bouncing) {
     return a.type == BodyType::dynamic && b.type == BodyType::dynamic &&
-           (leaves_impacts_to_contacts(world.overload_level) || exceeds_sweeps(world));
+           (leaves_impacts_to_contacts(world.overload_level) || exceeds_sweeps(world, bouncing));
 }
 
 // The relative displacement in a step that needs no sweep, m. Two dynamic bodies are swept only if
@@ -55,7 +57,7 @@ inline bool bounces(const WorldState& world, std::uint32_t shape_a, std::uint32_
     const auto sweeps = [](const BodyCold& cold) {
         return cold.type == BodyType::dynamic && cold.continuous;
     };
-    if (left_to_contacts(world, a, b)) return false;
+    if (left_to_contacts(world, a, b, true)) return false;
     return (sweeps(a) || sweeps(b)) && a.first_joint == none && b.first_joint == none;
 }
 

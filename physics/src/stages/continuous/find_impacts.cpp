@@ -20,12 +20,15 @@ namespace {
 // The approach that makes a touch an impact. The path of a gyroscopic body may approach although
 // its velocities do not. Such an impact has no impulse, but a new sweep starts from there.
 // The contact solver pushes overlapping bodies apart: their path separates although their velocity
-// may approach.
+// may approach. Forces may press two dynamic bodies through each other and turn their velocity
+// round within the step. If they do not, overlapping bodies fly on, and the contact solver pushes
+// them apart: if each step stopped them at its start, they would stay in the air.
 enum class ApproachTest : std::uint8_t {
     by_velocity_or_path,
     by_velocity,
     by_path,
     by_velocity_and_path,
+    by_velocity_and_path_or_forces,
     at_bouncing_speed
 };
 
@@ -120,7 +123,9 @@ private:
         const bool passes =
             length(t_.sweep.translation - path_.translation) * (1 - pair.from) > thin;
         record(pair, pair.from, points_at(pair, pair.from),
-               passes ? ApproachTest::by_path : ApproachTest::by_velocity_and_path);
+               !passes                                ? ApproachTest::by_velocity_and_path
+               : cold_other.type == BodyType::dynamic ? ApproachTest::by_velocity_and_path_or_forces
+                                                      : ApproachTest::by_path);
     }
 
     std::vector<ImpactPoint> points_at(const SweptPair& pair, double fraction) const {
@@ -212,6 +217,10 @@ private:
                 case ApproachTest::by_path:
                     closes |= centers < -least * state_.step.dt;
                     break;
+                case ApproachTest::by_velocity_and_path_or_forces:
+                    closes |= centers < -least * state_.step.dt &&
+                              dot(speed_b.v - speed_a.v, p.normal) > 0;
+                    [[fallthrough]];
                 case ApproachTest::by_velocity_and_path:
                     closes |= by_velocity && centers < 0;
                     break;
@@ -292,12 +301,14 @@ void find_impact(ToiState& state, std::size_t index) {
 void find_impacts(ToiState& state, ImpactQueue& queue) {
     state.search_round++;
     const std::vector<std::size_t>& to_search = state.to_search;
+    int sweeps = 0;
     for (const std::size_t k : to_search) {
         ToiBody& t = state.bodies[k];
         if (!t.checked) t.full_search_round = state.search_round;
-        state.world.profile.sweeps +=
-            static_cast<int>(t.checked ? t.deflected_bodies.size() : t.candidates.size());
+        sweeps += static_cast<int>(t.checked ? t.deflected_bodies.size() : t.candidates.size());
     }
+    state.world.profile.sweeps += sweeps;
+    if (state.world.profile.impacts > 0) state.world.profile.sweeps_after_impacts += sweeps;
     state.step.thread_pool.run(static_cast<int>(to_search.size()), 1, [&](int begin, int end) {
         for (int k = begin; k < end; k++)
             find_impact(state, to_search[static_cast<std::size_t>(k)]);

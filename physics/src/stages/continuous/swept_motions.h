@@ -72,7 +72,7 @@ public:
     bool may_collide(const WorldState& world, const BodyDisplacement& motion, const BodyCold& cold,
                      std::uint32_t other, std::uint32_t other_shape, Bounces&& bounces) const {
         const BodyCold& cold_other = world.bodies.cold[other];
-        if (left_to_contacts(world, cold, cold_other)) return false;
+        if (left_to_contacts(world, cold, cold_other, true)) return false;
         const BodyDisplacement other_motion = of(world, other);
         const Vec3 closing = motion.translation - other_motion.translation;
         if (cold_other.type != BodyType::dynamic) {

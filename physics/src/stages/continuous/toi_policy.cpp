@@ -52,7 +52,7 @@ bool is_deflected(const ToiState& state, const ToiBody& t, std::uint32_t other_i
 bool needs_sweep(const ToiState& state, const ToiBody& t, std::uint32_t other_body) {
     const WorldState& world = state.world;
     const BodyCold &cold = world.bodies.cold[t.body], &other = world.bodies.cold[other_body];
-    if (left_to_contacts(world, cold, other)) return false;
+    if (left_to_contacts(world, cold, other, state.any_bounces)) return false;
     const std::uint32_t known = state.index_of(other_body);
     const bool deflected = is_deflected(state, t, known);
     if (deflected && other.type != BodyType::dynamic) return true;

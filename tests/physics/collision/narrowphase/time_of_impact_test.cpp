@@ -115,9 +115,8 @@ TEST(TimeOfImpact, tumbling_past_reports_no_hit) {
         never++;
         for (int k = 0; k <= 24; k++) {
             const double fraction = k / 24.0;
-            ASSERT_GT(
-                separation(a.geometry, a.pose(fraction), b.geometry, b.pose(fraction)).distance,
-                gap)
+            ASSERT_TRUE(
+                farther_apart_than(gap, a.geometry, a.pose(fraction), b.geometry, b.pose(fraction)))
                 << "round " << round << ", at " << fraction;
         }
     }

@@ -102,7 +102,7 @@ export interface ConnectionListener {
   userMessage?(message: UserMessage): void;
   /** A player joined, left, was renamed and so on; Connection.data is up to date. */
   playerEvent?(event: PlayerEvent): void;
-  /** Players or attributes changed. */
+  /** Players, attributes or the settings of the room changed. */
   dataChanged?(data: WorldData): void;
 }
 
@@ -164,6 +164,8 @@ export interface ConnectionOptions {
   readonly players?: boolean | undefined;
   /** Subscribes to attributes (Connection.data); default: false. */
   readonly attributes?: boolean | undefined;
+  /** Subscribes to the settings of the room (Connection.data); default: false. */
+  readonly room?: boolean | undefined;
   /** Topics of user messages to subscribe to, at most 64; "*": all; default: none. */
   readonly topics?: readonly string[] | undefined;
 }
@@ -228,7 +230,7 @@ export class Connection {
   private readonly precision: Precision | undefined;
   private readonly wantsJoints: boolean;
   private identity: { readonly name: string; readonly color?: number };
-  private readonly subscriptions: { readonly players: boolean; readonly attributes: boolean; readonly topics: string[] };
+  private readonly subscriptions: { readonly players: boolean; readonly attributes: boolean; readonly room: boolean; readonly topics: string[] };
 
   constructor(options: ConnectionOptions) {
     this.url = options.url;
@@ -241,7 +243,7 @@ export class Connection {
     this.precision = options.precision;
     this.wantsJoints = options.joints ?? false;
     this.identity = identityOf(options.name, options.color);
-    this.subscriptions = { players: options.players ?? false, attributes: options.attributes ?? false, topics: [...(options.topics ?? [])] };
+    this.subscriptions = { players: options.players ?? false, attributes: options.attributes ?? false, room: options.room ?? false, topics: [...(options.topics ?? [])] };
   }
 
   /**
@@ -568,7 +570,7 @@ export class Connection {
   private onData(s: Snapshot): void {
     this.data.apply(s);
     for (const { events } of s.players) for (const event of events) this.listener.playerEvent?.(event);
-    if (s.players.length > 0 || s.attributes.length > 0) this.listener.dataChanged?.(this.data);
+    if (s.players.length > 0 || s.attributes.length > 0 || s.room) this.listener.dataChanged?.(this.data);
     for (const message of s.messages) {
       this.lastUserMessage = message.number;
       this.listener.userMessage?.(message);

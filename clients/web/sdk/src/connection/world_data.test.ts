@@ -50,3 +50,16 @@ describe('attributes', () => {
     expect(data.value({ kind: 'world' }, 'open')).toBeUndefined();
   });
 });
+
+it('has the newest settings of the room until it leaves', () => {
+  const data = new WorldData();
+  apply(data, { frame: 1 });
+  expect(data.room).toBeUndefined();
+  apply(data, { room: { settings: { title: 'Night race', permissions: { 'player.explode': 'none' } }, bans: [{ member: 'subject/eve' }] } });
+  apply(data, { frame: 2 });
+  expect([data.room?.settings?.permissions, data.room?.bans.length]).toEqual([{ 'player.explode': 'none' }, 1]);
+  apply(data, { room: { settings: { title: 'Day race' } } });
+  expect([data.room?.settings?.title, data.room?.bans.length]).toEqual(['Day race', 0]);
+  data.clear();
+  expect(data.room).toBeUndefined();
+});

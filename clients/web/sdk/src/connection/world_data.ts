@@ -1,4 +1,4 @@
-// The players and attributes of a world as one client receives them.
+// The players, the attributes and the room of a world as one client receives them.
 
 import {
   PlayerEventKind,
@@ -9,6 +9,7 @@ import {
   type PlayerUpdate,
   type Snapshot,
 } from '../gen/jostle/v1/play_pb.js';
+import type { RoomUpdate } from '../gen/jostle/v1/room_pb.js';
 
 /** The world, a player (its client id) or an entity. */
 export type AttributeTarget = { readonly kind: 'world' } | { readonly kind: 'player' | 'entity'; readonly id: number };
@@ -31,6 +32,8 @@ function targetOf({ target }: AttributeSet): string {
 export class WorldData {
   /** Players by client id; for clients that subscribe to players. */
   readonly players = new Map<number, Player>();
+  /** The room as this client may see it, for clients that subscribe to it; undefined: the world is no room. */
+  room: RoomUpdate | undefined;
   private readonly attributes = new Map<string, Map<string, Attribute>>();
 
   /** Attributes of a target by key; for clients that subscribe to attributes. */
@@ -46,12 +49,14 @@ export class WorldData {
   clear(): void {
     this.players.clear();
     this.attributes.clear();
+    this.room = undefined;
   }
 
   /** Applies a snapshot; snapshots arrive in order. */
   apply(snapshot: Snapshot): void {
     for (const update of snapshot.players) this.applyPlayers(update);
     for (const update of snapshot.attributes) this.applyAttributes(update);
+    if (snapshot.room) this.room = snapshot.room;
   }
 
   private applyPlayers(update: PlayerUpdate): void {

@@ -4,7 +4,7 @@
 
 import * as THREE from 'three';
 import { OrbitControls } from 'three/examples/jsm/controls/OrbitControls.js';
-import { frameFlat, framePoints, freeArea, NO_INSETS, type FreeArea, type Insets } from './framing';
+import { frameFlat, framePoints, freeArea, NO_INSETS, type FreeArea, narrowDistance, type Insets } from './framing';
 
 const FOLLOW_RATE = 3; // 1/s
 const FOLLOW_UP = 0.3; // m above the controlled entity
@@ -118,7 +118,8 @@ export class Camera {
       return this.moveTo(this.straightOn(target.clone().setZ(0), halfHeight), false);
     }
     this.perspective.fov = verticalFov;
-    this.moveTo({ position: eye.clone(), target: target.clone(), halfHeight: 0 }, false);
+    const position = eye.clone().sub(target).multiplyScalar(narrowDistance(this.width / this.height)).add(target);
+    this.moveTo({ position, target: target.clone(), halfHeight: 0 }, false);
     this.applyProjection();
   }
 

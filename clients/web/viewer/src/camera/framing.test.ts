@@ -1,6 +1,6 @@
 import * as THREE from 'three';
 import { describe, expect, it } from 'vitest';
-import { frameFlat, framePoints, freeArea, NO_INSETS, type Insets } from './framing';
+import { frameFlat, framePoints, freeArea, narrowDistance, NO_INSETS, type Insets } from './framing';
 
 const FROM = new THREE.Vector3(13, 9, 18).normalize();
 const FOV = 55;
@@ -65,4 +65,8 @@ describe('framing', () => {
     expect(area.tanY).toBeCloseTo(Math.tan((FOV * Math.PI) / 360) * 0.35, 6);
     expect(Math.abs(area.offsetY)).toBeLessThan(844 * 0.66);
   });
+});
+
+it('shows the view of a scene from farther away on a narrow screen', () => {
+  expect([1440 / 900, 1.2, 0.6, 390 / 844, 0.1].map(narrowDistance)).toEqual([1, 1, 2, 2.4, 2.4]);
 });

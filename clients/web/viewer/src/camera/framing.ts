@@ -82,3 +82,11 @@ export function frameFlat(box: THREE.Box3, { tanX, tanY }: Pick<FreeArea, 'tanX'
   const size = box.getSize(new THREE.Vector3());
   return Math.max((size.x / 2 / MARGIN) * (tan / tanX), (size.y / 2 / MARGIN) * (tan / tanY));
 }
+
+const SCENE_ASPECT = 1.2; // width by height of the part of a view that a scene defines
+const NARROW_DISTANCE_MAX = 2.4;
+
+/** By which factor the view of a scene is more distant on a narrow screen, so that it shows the same width. */
+export function narrowDistance(aspect: number): number {
+  return Math.min(NARROW_DISTANCE_MAX, Math.max(1, SCENE_ASPECT / aspect));
+}

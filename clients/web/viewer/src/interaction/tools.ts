@@ -11,6 +11,7 @@ import { pickPoints, type PointPick } from './pick_points';
 import { spawnTemplate, type SpawnKind, type SpawnOptions } from '../sandbox/spawn_options';
 import { pickFromServer, pickRendered, choosePick, type Pick } from './pick';
 import type { SceneView } from '../scene/scene_view';
+import type { Action } from '../room/room_rules';
 import type { ToolDefinition } from '../ui/toolbar';
 
 export type Tool = 'drag' | 'throw' | 'box' | 'sphere' | 'capsule' | 'explode' | 'cut' | 'delete' | 'drive' | 'joint' | 'inspect';
@@ -28,6 +29,20 @@ export const TOOLS: readonly ToolDefinition<Tool>[] = [
   { tool: 'joint', key: 'j', label: 'Joint', hint: 'Click two points to join their bodies; Build chooses the kind', icon: 'joint' },
   { tool: 'inspect', key: '0', label: 'Inspect', hint: 'Click a body or a joint to inspect it', icon: 'inspect' },
 ];
+
+/** The action that each tool needs; those without one are always allowed. */
+export const TOOL_ACTIONS: Partial<Record<Tool, Action>> = {
+  drag: 'drag',
+  throw: 'spawn',
+  box: 'spawn',
+  sphere: 'spawn',
+  capsule: 'spawn',
+  explode: 'explode',
+  delete: 'delete',
+  drive: 'control',
+  cut: 'joints',
+  joint: 'joints',
+};
 
 const THROW_SPEED = 18; // m/s
 const THROWN_RADIUS = 0.3; // m

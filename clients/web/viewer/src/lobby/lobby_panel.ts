@@ -11,6 +11,7 @@ import { iconButton } from '../ui/icons';
 import type { PanelContent } from '../ui/panels';
 import { excerpt, freeName, nameOfFile, parseProblems } from './scene_problems';
 import { ApiError, type Listing, type SceneInfo, type ServerApi, type WorldInfo } from './server_api';
+import { button, element } from '../ui/elements';
 
 const FILE_BYTES_MAX = 32 << 20; // as the server's setting scene.request_bytes_max
 const PROBLEMS_MAX = 20;
@@ -26,20 +27,6 @@ export interface LobbyOptions {
   /** Id of the current world. */
   current(): string;
   showProblem(text: string): void;
-}
-
-function element<K extends keyof HTMLElementTagNameMap>(tag: K, text = '', className = ''): HTMLElementTagNameMap[K] {
-  const created = document.createElement(tag);
-  created.textContent = text;
-  if (className) created.className = className;
-  return created;
-}
-
-function button(text: string, run: () => void, className = ''): HTMLButtonElement {
-  const created = element('button', text, className);
-  created.type = 'button';
-  created.onclick = run;
-  return created;
 }
 
 /** Text of another user, with its own direction. */

@@ -57,6 +57,20 @@ export interface ServerStatus {
   refusals: Count[];
   log: LogLine[];
   bans: Ban[];
+  reports: Report[];
+}
+export interface Report {
+  number: string;
+  world: string;
+  worldName: string;
+  tick: number;
+  time: string;
+  from: number;
+  fromName: string;
+  client: number;
+  name: string;
+  reason: string;
+  messages: string[];
 }
 export interface RoomMember {
   client: number;

@@ -1,24 +1,20 @@
 // Tables and buttons of the monitor page. Text is always set as text, never as HTML: names come from
 // clients.
 
+import { element } from '../ui/elements';
+
 export interface Column<Row> {
   readonly title: string;
   readonly cell: (row: Row) => string | Node | readonly Node[];
   readonly isNumber?: boolean;
 }
 
-export function element<K extends keyof HTMLElementTagNameMap>(tag: K, text = '', className = ''): HTMLElementTagNameMap[K] {
-  const created = document.createElement(tag);
-  created.textContent = text;
-  if (className) created.className = className;
-  return created;
-}
-
+/** A button that works once, until the next table replaces it. */
 export function button(text: string, onClick: () => void): HTMLButtonElement {
   const created = element('button', text);
   created.type = 'button';
   created.addEventListener('click', () => {
-    created.disabled = true; // until the next table replaces it
+    created.disabled = true;
     onClick();
   });
   return created;

@@ -1,8 +1,9 @@
 // The monitor page: worlds, clients, traffic, refusals and the log of a server, with the commands of an
 // administrator. It polls GetServerStatus once per second.
 
-import { AdminApi, CallError, type Ban, type ClientInfo, type LogLine, type Room, type RoomMember, type ServerStatus, type WorldInfo } from './api';
-import { button, element, isInUse, showTable } from './dom';
+import { AdminApi, CallError, type Ban, type ClientInfo, type LogLine, type Report, type Room, type RoomMember, type ServerStatus, type WorldInfo } from './api';
+import { element } from '../ui/elements';
+import { button, isInUse, showTable } from './dom';
 import { duration, Rates, shortNumber, type Rate } from './rates';
 import './style.css';
 
@@ -155,6 +156,24 @@ function showLog(lines: readonly LogLine[]): void {
   while (log.childElementCount > LOG_LINES_MAX) log.lastElementChild?.remove();
 }
 
+function showReports(reports: readonly Report[]): void {
+  const nameOf = (client: number, name: string) => (client === 0 ? '-' : `${client} ${name}`);
+  showTable(
+    find('reports'),
+    [
+      { title: 'time', cell: (report) => report.time },
+      { title: 'world', cell: (report) => report.worldName },
+      { title: 'tick', cell: (report) => String(report.tick), isNumber: true },
+      { title: 'from', cell: (report) => nameOf(report.from, report.fromName) },
+      { title: 'about', cell: (report) => nameOf(report.client, report.name) },
+      { title: 'reason', cell: (report) => report.reason },
+      { title: 'messages', cell: (report) => report.messages.map((message) => `"${message}"`).join(' ') || '-' },
+    ],
+    [...reports].sort((a, b) => b.time.localeCompare(a.time)),
+    'Players reported no others.',
+  );
+}
+
 function showBans(bans: readonly Ban[]): void {
   showTable(
     find('bans'),
@@ -256,6 +275,7 @@ async function poll(): Promise<void> {
     showCounters(status);
     showLog(status.log);
     showBans(status.bans);
+    showReports(status.reports);
     if (roomOf) showRoom(await api.call<Room>('GetRoom', { world: roomOf }));
   } catch (error) {
     showFault(error);

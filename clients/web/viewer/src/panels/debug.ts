@@ -10,6 +10,8 @@ import type { SceneView } from '../scene/scene_view';
 const QUERY_INTERVAL_MS = 200;
 const MISSED_RESPONSES_MAX = 2;
 
+const NOTHING_SHOWN = 'Choose what the view shows of the solver.';
+
 type Toggle = keyof DebugOptions | 'sleep' | 'fields';
 const LOCAL_TOGGLES: readonly Toggle[] = ['sleep', 'fields']; // shown from snapshots and channels, without queries
 const TOGGLES: { toggle: Toggle; label: string; hint: string }[] = [
@@ -44,6 +46,7 @@ export class DebugPanel {
   ) {
     content.append(...TOGGLES.map(({ toggle, label, hint }) => this.row(toggle, label, hint)), this.note);
     this.note.className = 'note';
+    this.note.textContent = NOTHING_SHOWN;
   }
 
   private row(toggle: Toggle, label: string, hint: string): HTMLElement {
@@ -70,7 +73,7 @@ export class DebugPanel {
     if (!this.on.islands) this.view.setTints(undefined);
     if (!this.needsServer) {
       this.lines.clear();
-      this.note.textContent = '';
+      this.note.textContent = Object.values(this.on).some((on) => on) ? '' : NOTHING_SHOWN;
     }
   }
 

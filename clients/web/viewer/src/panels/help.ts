@@ -34,7 +34,9 @@ function section(title: string, rows: readonly (readonly [string, string])[], as
   const list = document.createElement('dl');
   for (const [term, description] of rows) {
     const dt = document.createElement('dt');
-    if (asKeys) dt.append(...term.split(' ').map((key) => Object.assign(document.createElement('kbd'), { textContent: key })));
+    const [, key, label] = asKeys ? [] : (/^(\S) (.+)$/.exec(term) ?? []);
+    if (key && label) dt.append(Object.assign(document.createElement('kbd'), { textContent: key }), ` ${label}`);
+    else if (asKeys) dt.append(...term.split(' ').map((key) => Object.assign(document.createElement('kbd'), { textContent: key })));
     else dt.textContent = term;
     const dd = document.createElement('dd');
     dd.textContent = description;

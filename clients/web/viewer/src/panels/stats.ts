@@ -16,7 +16,7 @@ class Plot {
   constructor(
     label: string,
     private readonly unit: string,
-    private readonly color: string,
+    color: string,
     private readonly digits = 0,
   ) {
     const name = document.createElement('span');
@@ -25,6 +25,7 @@ class Plot {
     this.canvas.width = PLOT.width * 2;
     this.canvas.height = PLOT.height * 2;
     this.row.className = 'plot';
+    this.row.style.setProperty('--plot', color);
     this.row.append(name, this.value, this.canvas);
   }
 
@@ -49,7 +50,7 @@ class Plot {
       if (i === 0) context.moveTo(x, y);
       else context.lineTo(x, y);
     });
-    context.strokeStyle = this.color;
+    context.strokeStyle = getComputedStyle(this.canvas).color; // depends on the theme
     context.lineWidth = 3;
     context.stroke();
   }
@@ -64,7 +65,7 @@ export class StatsPanel {
     awake: new Plot('Awake', '', '#81b29a'),
     asleep: new Plot('Asleep', '', '#8896a5'),
     step: new Plot('Step', ' ms', '#b388eb', 2),
-    fps: new Plot('Frame rate', ' /s', '#e5e9ee'),
+    fps: new Plot('Frame rate', ' /s', '#7fb7d9'),
   };
   private lastBytes = 0;
   private lastAt = performance.now();
@@ -86,10 +87,11 @@ export class StatsPanel {
     const bytes = this.connection.bytesReceived - this.lastBytes;
     this.lastBytes = this.connection.bytesReceived;
     this.lastAt = now;
-    this.tick.textContent =
-      `tick ${stats.tick} · ${stats.bodies} bodies · ${counted(stats.clients, 'client', 'clients')}` +
-      (stats.lateTicks > 0 ? ` · ${stats.lateTicks} late ticks` : '') +
-      (stats.paused ? ` · paused: ${stats.paused}` : '');
+    const { tick, bodies, clients, lateTicks, paused } = stats;
+    const parts = [`tick ${tick}`, counted(bodies, 'body', 'bodies'), counted(clients, 'client', 'clients')];
+    if (lateTicks > 0) parts.push(counted(lateTicks, 'late tick', 'late ticks'));
+    // A line breaks between the parts only.
+    this.tick.textContent = [...parts.map((part) => part.replaceAll(' ', '\u00a0')), ...(paused ? [`paused: ${paused}`] : [])].join(' · ');
     this.plots.age.add(this.connection.ageMs);
     this.plots.rtt.add(this.connection.clock.rttMs);
     this.plots.bandwidth.add((bytes * 8) / 1000 / seconds);

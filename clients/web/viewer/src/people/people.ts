@@ -5,11 +5,12 @@
 // Two attributes of a player tell the others its color, if it changed, and the entity that it controls.
 
 import type { Connection, Input } from '@jostle/client';
-import { withToken, type WorldData } from '@jostle/client';
+import type { WorldData } from '@jostle/client';
 import { InputCode, PlayerEventKind, PlayerRole, type InputResult, type Player, type PlayerEvent, type UserMessage } from '@jostle/client/gen/play_pb';
 import * as THREE from 'three';
 import type { Camera } from '../camera/camera';
 import type { Grab } from '../interaction/tools';
+import type { RoomRules } from '../room/room_rules';
 import type { SceneView } from '../scene/scene_view';
 import type { Solids } from '../scene/solids';
 import type { ContextMenu, MenuItem } from '../ui/context_menu';
@@ -31,7 +32,8 @@ export const TOPICS = ['chat', CURSOR_TOPIC, 'report'] as const;
 const COLOR_KEY = 'color';
 const CONTROLS_KEY = 'controls'; // entity
 const MUTE_SECONDS = 300;
-const BAN_SECONDS = 86_400;
+/** Labels and seconds; 0: until it is removed. */
+const BANS = [['For 1 hour', 3600], ['For 24 hours', 86_400], ['Until it is removed', 0]] as const;
 const CURSOR_INPUTS_MAX = 16;
 const CURSOR_PAUSE_MS = 10_000; // after a refusal that waiting does not cure, such as a mute
 const CHAT_RETRY_MS = 5000; // a refused message is sent again for this long
@@ -47,6 +49,8 @@ export interface PeopleOptions {
   readonly panels: Panels;
   readonly contextMenu: ContextMenu;
   readonly token: string;
+  /** What this client may do in the room. */
+  rules(): RoomRules;
   /** What the user grabs and controls. */
   grab(): Grab | undefined;
   controlled(): number;
@@ -90,7 +94,6 @@ export class People {
   private following = 0; // client; 0: none
   private followedTo: THREE.Vector3 | undefined;
   private controls = 0; // entity that the others know
-  private room: { title: string } | undefined; // of the current world
   private worldId = '';
   private world = ''; // name
   private playersPanel: PlayersPanel | undefined;
@@ -143,7 +146,7 @@ export class People {
 
   /** The options of the connection. */
   get connectionOptions() {
-    return { name: this.identity.name, color: this.identity.color, players: true, attributes: true, topics: TOPICS };
+    return { name: this.identity.name, color: this.identity.color, players: true, attributes: true, room: true, topics: TOPICS };
   }
 
   /** The join code for the world of the page's address. */
@@ -173,7 +176,6 @@ export class People {
   private enterWorld(id: string, name: string): void {
     this.worldId = id;
     this.world = name;
-    this.room = undefined;
     this.log.clear();
     this.cursors.clear();
     this.lastNames.clear();
@@ -185,22 +187,17 @@ export class People {
     if (!named) history[this.replacesAddress ? 'replaceState' : 'pushState'](null, '', address);
     this.replacesAddress = false;
     document.title = `${name} – Jostle`;
-    void this.loadRoom(id);
   }
 
-  private async loadRoom(id: string): Promise<void> {
-    const response = await fetch(`api/worlds/${encodeURIComponent(id)}`, { headers: withToken(this.options.token) }).catch(() => undefined);
-    if (!response?.ok) return;
-    const { world } = (await response.json()) as { world?: { room?: { title?: string } } };
-    if (this.worldId !== id || !world?.room) return;
-    this.room = { title: cleanText(world.room.title ?? '', 64) };
-    if (this.room.title) document.title = `${this.room.title} – Jostle`;
-    this.playersPanel?.invalidate();
+  private showRoomTitle(): void {
+    const title = cleanText(this.data.room?.settings?.title ?? '', 64) || this.world;
+    if (title && document.title !== `${title} – Jostle`) document.title = `${title} – Jostle`;
   }
 
   dataChanged(): void {
     this.playersPanel?.invalidate();
     this.showCounts();
+    this.showRoomTitle();
     this.lastNames.clear();
     for (const player of this.data.players.values()) this.lastNames.set(player.client, this.nameOf(player));
     // The first list contains those that were there before.
@@ -265,6 +262,11 @@ export class People {
   }
 
   // --- users
+
+  nameOfClient(client: number): string {
+    const player = this.data.players.get(client);
+    return player ? this.nameOf(player) : `Player ${client}`;
+  }
 
   private nameOf(player: Pick<Player, 'name' | 'client'>): string {
     return cleanName(player.name) || `Player ${player.client}`;
@@ -376,8 +378,8 @@ export class People {
     const { left, bottom } = at.getBoundingClientRect();
     const hidden = this.log.isHidden(client);
     const ownRole = this.data.players.get(this.client)?.role ?? PlayerRole.SPECTATOR;
-    const actions = actionsFor({ isRoom: this.room !== undefined, ownRole, role: player.role, hidden });
-    const items = actions.map((action) => ({ label: ACTION_LABELS[action], run: () => this.act(action, player, left, bottom) }));
+    const actions = actionsFor({ rules: this.options.rules(), ownRole, role: player.role, hidden });
+    const items = actions.map(({ action, refusal }) => ({ label: ACTION_LABELS[action], refusal, run: () => this.act(action, player, left, bottom) }));
     this.options.contextMenu.open(this.nameOf(player), items, left, bottom + 4);
   }
 
@@ -406,7 +408,7 @@ export class People {
       case 'kick':
         return this.room_({ case: 'kick', value: { client, reason: '' } });
       case 'ban':
-        return ask(`Ban ${name} for 24 hours`, [{ label: 'Ban', run: () => this.room_({ case: 'ban', value: { client, seconds: BAN_SECONDS, reason: '' } }) }]);
+        return ask(`Ban ${name}`, BANS.map(([label, seconds]) => ({ label, run: () => this.room_({ case: 'ban', value: { client, seconds, reason: '' } }) })));
       case 'player':
         return this.room_({ case: 'setRole', value: { client, role: PlayerRole.PLAYER } });
       case 'builder':
@@ -536,7 +538,7 @@ export class People {
       side: 'right',
       load: async (content) => {
         const loaded = await import('./players_panel');
-        this.playersPanel = new loaded.PlayersPanel(content, () => this.listed(), () => this.room !== undefined, (client, at) => this.openMenu(client, at), () => panels.open('identity'));
+        this.playersPanel = new loaded.PlayersPanel(content, () => this.listed(), () => this.data.room !== undefined, (client, at) => this.openMenu(client, at), () => panels.open('identity'));
         return this.playersPanel;
       },
     });

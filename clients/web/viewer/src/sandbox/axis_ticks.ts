@@ -11,8 +11,8 @@ export interface Axis {
 /** The axis that covers the values with steps of 1, 2 or 5 times a power of ten; at most `count` steps. */
 export function axisOf(low: number, high: number, count: number): Axis {
   if (!(high - low > 1e-9 * Math.max(1, Math.abs(high)))) {
-    const margin = Math.max(1e-3, 0.5 * Math.abs(high));
-    [low, high] = [low - margin, high + margin];
+    const margin = 0.5 * Math.abs(high);
+    [low, high] = margin > 1e-9 ? [low - margin, high + margin] : [0, 1];
   }
   const raw = (high - low) / count;
   const power = 10 ** Math.floor(Math.log10(raw));

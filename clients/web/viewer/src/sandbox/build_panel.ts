@@ -5,6 +5,11 @@ import { clamp, MASS, MATERIALS, SIZE, type MaterialName, type SpawnOptions } fr
 
 export class BuildPanel {
   private readonly density = document.createElement('p');
+  private readonly hint = document.createElement('p');
+  // Rows of the joints that have them.
+  private motorSpeed!: HTMLElement;
+  private motorMax!: HTMLElement;
+  private frequency!: HTMLElement;
 
   constructor(
     content: HTMLElement,
@@ -14,7 +19,8 @@ export class BuildPanel {
   ) {
     content.className = 'form';
     this.density.className = 'note';
-    content.append(heading('Bodies'), this.size(), this.material(), this.mass(), this.color(), this.density, heading('Joints'), this.kind(), ...this.jointFields());
+    content.append(heading('Bodies'), this.size(), this.material(), this.mass(), this.color(), this.density, heading('Joints'), this.kind(), this.hint, ...this.jointFields());
+    this.hint.className = 'note';
     this.describe();
   }
 
@@ -27,6 +33,13 @@ export class BuildPanel {
     const { density, friction, restitution } = MATERIALS[this.spawn.material];
     const mass = this.spawn.mass === undefined ? `${density} kg/m³` : `${this.spawn.mass} kg`;
     this.density.textContent = `${mass} · friction ${friction} · restitution ${restitution}`;
+    const { kind } = this.joint;
+    this.hint.textContent = `${JOINT_KINDS[kind].hint}.`;
+    this.motorSpeed.hidden = this.motorMax.hidden = kind !== 'hinge' && kind !== 'slider';
+    this.frequency.hidden = kind !== 'spring';
+    const [speed, limit] = kind === 'slider' ? ['m/s', 'N'] : ['rad/s', 'N m'];
+    this.motorSpeed.querySelector('label')!.textContent = `Motor speed, ${speed}`;
+    this.motorMax.querySelector('label')!.textContent = `Motor limit, ${limit}`;
   }
 
   private size(): HTMLElement {
@@ -40,7 +53,12 @@ export class BuildPanel {
       this.changed();
     };
     show();
-    return field('Size', input, text);
+    const line = document.createElement('div');
+    line.className = 'slider';
+    const row = field('Size', input);
+    line.append(input, text);
+    row.append(line);
+    return row;
   }
 
   private material(): HTMLElement {
@@ -102,12 +120,12 @@ export class BuildPanel {
       };
       return field(label, input);
     };
-    return [
-      number('Motor speed, rad/s or m/s', 'motorSpeed', -100, 100),
-      number('Motor limit, N m or N', 'motorMax', 0, 1e6),
-      number('Spring frequency, Hz', 'frequency', 0.1, 30),
-      number('Break force, N; 0: none', 'breakForce', 0, 1e9),
-    ];
+    this.motorSpeed = number('Motor speed', 'motorSpeed', -100, 100);
+    this.motorMax = number('Motor limit', 'motorMax', 0, 1e6);
+    this.frequency = number('Frequency, Hz', 'frequency', 0.1, 30);
+    const breakForce = number('Break force, N', 'breakForce', 0, 1e9);
+    breakForce.title = '0: the joint does not break';
+    return [this.motorSpeed, this.motorMax, this.frequency, breakForce];
   }
 }
 

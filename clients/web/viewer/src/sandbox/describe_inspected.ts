@@ -1,13 +1,19 @@
 // The state of a body or joint as labelled values.
 
 import type { InspectedBody, InspectedJoint } from '@jostle/client/gen/query_pb';
-import type { Attribute, Entity } from '@jostle/client/gen/play_pb';
+import type { Entity } from '@jostle/client/gen/play_pb';
 import type { Quat, Vec3 } from '@jostle/client/gen/common_pb';
-import { formatValue } from './line_plot';
+import { formatValue as formatPlotted } from './line_plot';
 
 export type Row = readonly [label: string, value: string];
 
 const DEGREES = 180 / Math.PI;
+
+/** Four significant digits without zeros at the end. */
+function formatValue(value: number): string {
+  const text = formatPlotted(value);
+  return /^-?\d+\.\d+$/.test(text) ? text.replace(/\.?0+$/, '') : text;
+}
 
 export function vectorText(v: Vec3 | undefined, digits = 2): string {
   const { x = 0, y = 0, z = 0 } = v ?? {};
@@ -30,11 +36,6 @@ export function rotationText(q: Quat | undefined): string {
   return `${degrees.toFixed(1)}° about ${[x, y, z].map((value) => fixed((sign * value) / sine, 2)).join(', ')}`;
 }
 
-export function attributeText({ value }: Attribute): string {
-  if (value.case === 'vector') return vectorText(value.value);
-  return value.case === 'number' ? formatValue(value.value) : String(value.value);
-}
-
 const length = (v: Vec3 | undefined) => Math.hypot(v?.x ?? 0, v?.y ?? 0, v?.z ?? 0);
 
 export interface Names {
@@ -51,10 +52,11 @@ export function bodyRows(body: InspectedBody, hz: number, names: Names): Row[] {
     ['Rotation', rotationText(body.rotation)],
     ...(dynamic
       ? ([
-          ['Velocity', `${vectorText(body.linearVelocity)} m/s · ${formatValue(length(body.linearVelocity))} m/s`],
-          ['Angular velocity', `${vectorText(body.angularVelocity)} rad/s`],
+          ['Velocity', `${vectorText(body.linearVelocity)} m/s`],
+          ['Speed', `${formatValue(length(body.linearVelocity))} m/s`],
+          ['Spin', `${vectorText(body.angularVelocity)} rad/s`],
           ['Mass', `${formatValue(body.mass)} kg`],
-          ['Inertia', `${[body.inertiaX?.x ?? 0, body.inertiaY?.y ?? 0, body.inertiaZ?.z ?? 0].map(formatValue).join(', ')} kg m²`],
+          ['Inertia', `${[body.inertiaX?.x ?? 0, body.inertiaY?.y ?? 0, body.inertiaZ?.z ?? 0].map(formatValue).join(', ')} kg\u00a0m²`],
           ['Kinetic energy', `${formatValue(body.kineticEnergy)} J`],
           ['Gravity scale', formatValue(body.gravityScale)],
           ['State', body.asleep ? 'asleep' : 'awake'],
@@ -62,10 +64,13 @@ export function bodyRows(body: InspectedBody, hz: number, names: Names): Row[] {
         ] as Row[])
       : ([['State', body.frozen ? 'frozen' : 'static']] as Row[])),
     ...(material
-      ? ([['Material', `${formatValue(material.density)} kg/m³ · friction ${formatValue(material.friction)} · restitution ${formatValue(material.restitution)}`]] as Row[])
+      ? ([
+          ['Density', `${formatValue(material.density)} kg/m³`],
+          ['Friction', formatValue(material.friction)],
+          ['Restitution', formatValue(material.restitution)],
+        ] as Row[])
       : []),
     ['Contacts', contactsText(body, hz)],
-    ...body.attributes.map((attribute): Row => [attribute.key, attributeText(attribute)]),
   ];
 }
 

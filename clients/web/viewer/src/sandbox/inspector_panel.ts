@@ -1,7 +1,10 @@
 // The inspector of the selected body or joint.
 
 import type { Connection } from '@jostle/client';
+import type { InputResult } from '@jostle/client/gen/play_pb';
 import type { InspectedBody, InspectResponse } from '@jostle/client/gen/query_pb';
+import type { Action } from '../room/room_rules';
+import { AttributeEditor } from './attribute_editor';
 import { bodyRows, entityRows, jointKindName, jointRows, type Names, type Row } from './describe_inspected';
 import type { SandboxCommands } from './sandbox_commands';
 import type { Selection } from './selection';
@@ -16,6 +19,11 @@ export interface InspectorOptions {
   readonly names: Names;
   poseOf(entity: number): ArrayLike<number> | undefined;
   focus(entity: number): void;
+  /** The rule that refuses an action on a body; empty: none. */
+  refusal(action: Action, entity: number): string;
+  jointRefusal(): string;
+  /** Why the client may not change attributes of the entity; empty: it may. */
+  attributeRefusal(entity: number): string;
 }
 
 export class InspectorPanel {
@@ -23,7 +31,9 @@ export class InspectorPanel {
   private readonly rows = document.createElement('dl');
   private readonly joints = document.createElement('div');
   private readonly actions = document.createElement('div');
+  private readonly rights = document.createElement('p');
   private readonly form: EditForm;
+  private readonly attributes: AttributeEditor;
   private response: InspectResponse | undefined;
 
   constructor(
@@ -33,10 +43,12 @@ export class InspectorPanel {
     content.className = 'inspector';
     this.title.className = 'title';
     this.title.setAttribute('role', 'status');
-    this.actions.className = 'button-row';
+    this.actions.className = 'button-row even';
     this.joints.className = 'button-row';
     this.form = new EditForm((changes) => this.options.commands.edit(this.options.selection.body, changes));
-    content.append(this.title, this.actions, this.rows, this.joints, this.form.element);
+    this.attributes = new AttributeEditor({ set: (entity, attribute) => this.options.commands.setAttribute(entity, attribute), refusal: options.attributeRefusal });
+    this.rights.className = 'note rights';
+    content.append(this.title, this.actions, this.rights, this.rows, this.joints, this.form.element, this.attributes.element);
     options.selection.onChange(() => this.selectionChanged());
     this.selectionChanged();
   }
@@ -45,23 +57,52 @@ export class InspectorPanel {
     this.show(undefined);
     const { selection, commands, focus } = this.options;
     const { current } = selection;
-    const action = (label: string, run: () => void) => Object.assign(document.createElement('button'), { type: 'button', textContent: label, onclick: run });
+    const action = (label: string, run: () => void, needed?: Action) => {
+      const button = Object.assign(document.createElement('button'), { type: 'button', textContent: label });
+      button.onclick = () => button.ariaDisabled !== 'true' && run();
+      if (needed) button.dataset['action'] = needed;
+      return button;
+    };
     if (current?.kind === 'body') {
       const { id } = current;
       this.actions.replaceChildren(
         action('Focus', () => focus(id)),
-        action('Freeze', () => commands.setFrozen(id, !this.isFrozen)),
-        action('Clone', () => commands.clone(id, CLONE_OFFSET, false)),
-        action('Delete', () => commands.delete(id)),
+        action('Freeze', () => commands.setFrozen(id, !this.isFrozen), 'edit'),
+        action('Clone', () => commands.clone(id, CLONE_OFFSET, false), 'clone'),
+        action('Delete', () => commands.delete(id), 'delete'),
         action('Undo', () => commands.undo()),
       );
     } else if (current) {
       this.actions.replaceChildren(
-        action('Delete joint', () => commands.deleteJoint(current.id)),
+        action('Delete joint', () => commands.deleteJoint(current.id), 'joints'),
         action('Undo', () => commands.undo()),
       );
     } else this.actions.replaceChildren();
     this.form.element.hidden = current?.kind !== 'body';
+    this.showRights();
+  }
+
+  /** Call when attributes, the role of the client or the room changed. */
+  showRights(): void {
+    const { selection, connection } = this.options;
+    const { current } = selection;
+    const rules = new Set<string>();
+    for (const button of this.actions.querySelectorAll<HTMLButtonElement>('[data-action]')) {
+      const needed = button.dataset['action'] as Action;
+      const rule = current?.kind === 'body' ? this.options.refusal(needed, current.id) : this.options.jointRefusal();
+      button.setAttribute('aria-disabled', String(rule !== ''));
+      button.title = rule;
+      if (rule) rules.add(rule);
+    }
+    this.rights.textContent = [...rules].join('. ');
+    this.rights.hidden = rules.size === 0;
+    this.form.setRefusal(current?.kind === 'body' ? this.options.refusal('edit', current.id) : '');
+    this.attributes.show(selection.body, connection.data.attributesOf({ kind: 'entity', id: selection.body }));
+  }
+
+  /** Returns whether the refused input is one of this panel. */
+  rejected(result: InputResult): boolean {
+    return this.attributes.rejected(result);
   }
 
   private get isFrozen(): boolean {
@@ -73,6 +114,7 @@ export class InspectorPanel {
     this.response = response;
     const { current } = this.options.selection;
     this.title.textContent = this.titleText();
+    this.title.classList.toggle('note', current === undefined);
     setRows(this.rows, this.rowsOf(response));
     this.showJoints(response?.body);
     this.form.show(response?.body);
@@ -83,7 +125,7 @@ export class InspectorPanel {
   private titleText(): string {
     const { selection, names, connection } = this.options;
     const { current } = selection;
-    if (!current) return 'Click a body with the tool Inspect, or choose Inspect in its menu.';
+    if (!current) return 'No body is selected. Choose one with the tool Inspect, or Inspect in its menu.';
     if (current.kind === 'body') return `${names.ofEntity(current.id)} · id ${current.id}`;
     return `${jointKindName(connection.joints.joints.get(current.id)?.form.kind.case)} joint · id ${current.id}`;
   }
@@ -131,6 +173,7 @@ type Changes = Parameters<SandboxCommands['edit']>[1];
 /** Properties of a body that the server may let the client change. */
 class EditForm {
   readonly element = document.createElement('details');
+  private refused = false;
   private readonly inputs: { input: HTMLInputElement; read(body: InspectedBody): number }[] = [];
 
   constructor(private readonly edit: (changes: Changes) => void) {
@@ -149,10 +192,17 @@ class EditForm {
     this.element.append(summary, form);
   }
 
+  /** `rule`: that refuses edits of the body; empty: none. */
+  setRefusal(rule: string): void {
+    this.refused = rule !== '';
+    for (const control of this.element.querySelectorAll<HTMLInputElement | HTMLButtonElement>('input, button')) control.disabled = this.refused;
+    this.element.title = rule;
+  }
+
   /** Shows the values of the body in the fields that the user does not edit. */
   show(body: InspectedBody | undefined): void {
     for (const { input, read } of this.inputs) {
-      input.disabled = body === undefined;
+      input.disabled = body === undefined || this.refused;
       if (document.activeElement !== input) input.value = body ? String(Number(read(body).toPrecision(6))) : '';
     }
   }

@@ -58,7 +58,7 @@ export class PlotsPanel {
     csv.textContent = 'Save CSV';
     csv.title = 'Saves the last 60 s of the plotted values';
     csv.onclick = () => this.options.save('jostle-plots.csv', this.csv());
-    content.append(this.plots, this.note, csv);
+    content.append(this.note, this.plots, csv);
     this.select(undefined);
   }
 
@@ -72,6 +72,7 @@ export class PlotsPanel {
       .filter(({ group }) => groups.includes(group))
       .map(({ series }) => new LinePlot(series, SECONDS, (cursor) => this.setCursor(cursor)));
     this.plots.replaceChildren(...this.shown.map(({ element }) => element));
+    this.note.hidden = selected !== undefined;
     this.note.textContent = selected ? '' : 'Select a body or a joint to plot its motion and forces.';
   }
 

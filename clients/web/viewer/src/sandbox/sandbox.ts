@@ -2,12 +2,13 @@
 // Panels are loaded when they are opened.
 
 import type { Connection, Queries } from '@jostle/client';
-import { PlayerRole, type WorldStats } from '@jostle/client/gen/play_pb';
+import { PlayerRole, type InputResult, type WorldStats } from '@jostle/client/gen/play_pb';
 import type { InspectResponse } from '@jostle/client/gen/query_pb';
 import type * as THREE from 'three';
 import type { Pick } from '../interaction/pick';
 import { Throttle } from '../interaction/throttle';
 import { entityName } from '../panels/entity_names';
+import type { Room } from '../room/room';
 import type { SceneView } from '../scene/scene_view';
 import type { Commands } from '../ui/commands';
 import type { MenuItem } from '../ui/context_menu';
@@ -37,6 +38,7 @@ export interface SandboxOptions {
   isPlanar(): boolean;
   focus(entity: number): void;
   stats(): WorldStats | undefined;
+  readonly room: Room;
 }
 
 export class Sandbox {
@@ -91,6 +93,25 @@ export class Sandbox {
     return data.players.get(client)?.name || `client ${client}`;
   }
 
+  /** The rule for attributes of entities, which rooms cannot change. Empty: the client may change them. */
+  private attributeRefusal(entity: number): string {
+    const { data, welcome, entities } = this.options.connection;
+    const role = data.players.get(welcome?.clientId ?? 0)?.role ?? PlayerRole.SPECTATOR;
+    if (role >= PlayerRole.BUILDER) return '';
+    if (role === PlayerRole.SPECTATOR) return 'Spectators cannot change attributes of entities.';
+    return entities.get(entity)?.owner === welcome?.clientId ? '' : 'Players can change attributes of entities that they own.';
+  }
+
+  /** Players, attributes or the room changed. */
+  onDataChanged(): void {
+    this.inspectorPanel?.showRights();
+  }
+
+  /** Returns whether a panel shows the refusal of the input. */
+  rejected(result: InputResult): boolean {
+    return this.inspectorPanel?.rejected(result) ?? false;
+  }
+
   private registerPanels(): void {
     const { panels, connection, view } = this.options;
     panels.register({
@@ -110,6 +131,9 @@ export class Sandbox {
           names: { ofEntity: (id) => this.nameOf(id), ofClient: (id) => this.clientName(id) },
           poseOf: (entity) => view.poseOf(entity),
           focus: this.options.focus,
+          refusal: (action, entity) => this.options.room.rules.refusal(action, this.options.room.ownerOf(entity)),
+          jointRefusal: () => this.options.room.rules.refusal('joints'),
+          attributeRefusal: (entity) => this.attributeRefusal(entity),
         });
         return {};
       },
@@ -142,8 +166,7 @@ export class Sandbox {
       compact: true,
       load: async (content) => {
         const { TimePanel } = await import('./time_panel');
-        const role = () => connection.data.players.get(connection.welcome?.clientId ?? 0)?.role ?? PlayerRole.UNSPECIFIED;
-        this.timePanel = new TimePanel(content, { commands: this.commands, role, tickHz: () => connection.welcome?.tickHz || 60 });
+        this.timePanel = new TimePanel(content, { commands: this.commands, refusal: (action) => this.options.room.rules.refusal(action), tickHz: () => connection.welcome?.tickHz || 60 });
         this.timePanel.update(this.options.stats());
         return {};
       },
@@ -198,11 +221,13 @@ export class Sandbox {
   menuItems(entity: number, enabled: boolean): MenuItem[] {
     const isDynamic = (this.options.connection.entities.get(entity)?.mass ?? 0) > 0;
     const isStill = this.selection.body === entity && (this.inspected?.body?.frozen ?? false);
+    const { room } = this.options;
+    const [editing, cloning] = (['edit', 'clone'] as const).map((action) => room.rules.refusal(action, room.ownerOf(entity)));
     return [
       { label: 'Inspect', run: () => this.inspect(entity) },
-      ...(enabled && (isDynamic || isStill) ? [{ label: isStill ? 'Unfreeze' : 'Freeze', run: () => this.commands.setFrozen(entity, !isStill) }] : []),
-      ...(enabled && isDynamic ? [{ label: 'Clone', run: () => this.commands.clone(entity, CLONE_OFFSET, false) }] : []),
-      ...(enabled && isDynamic ? [{ label: 'Clone with joints', run: () => this.commands.clone(entity, CLONE_OFFSET, true) }] : []),
+      ...(enabled && (isDynamic || isStill) ? [{ label: isStill ? 'Unfreeze' : 'Freeze', refusal: editing!, run: () => this.commands.setFrozen(entity, !isStill) }] : []),
+      ...(enabled && isDynamic ? [{ label: 'Clone', refusal: cloning!, run: () => this.commands.clone(entity, CLONE_OFFSET, false) }] : []),
+      ...(enabled && isDynamic ? [{ label: 'Clone with joints', refusal: cloning!, run: () => this.commands.clone(entity, CLONE_OFFSET, true) }] : []),
     ];
   }
 

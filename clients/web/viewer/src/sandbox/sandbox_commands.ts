@@ -4,11 +4,12 @@
 import type { Input } from '@jostle/client';
 
 type InputKind = NonNullable<Input['kind']>;
+type AttributeMessage = NonNullable<NonNullable<Extract<InputKind, { case: 'setAttributes' }>['value']['set']>['attributes']>[number];
 type Edit = Extract<InputKind, { case: 'edit' }>['value'];
 type RoomKind = NonNullable<Extract<InputKind, { case: 'room' }>['value']['kind']>;
 
 export class SandboxCommands {
-  constructor(private readonly send: (kind: InputKind) => void) {}
+  constructor(private readonly send: (kind: InputKind) => number) {}
 
   setPaused(paused: boolean): void {
     this.room({ case: 'pause', value: { paused } });
@@ -37,6 +38,10 @@ export class SandboxCommands {
   }
   clone(entity: number, offset: { x: number; y: number; z: number }, jointed: boolean): void {
     this.send({ case: 'clone', value: { entity, offset, jointed } });
+  }
+  /** Removes the attribute if it has no value. Returns the sequence of the input. */
+  setAttribute(entity: number, attribute: AttributeMessage): number {
+    return this.send({ case: 'setAttributes', value: { set: { target: { case: 'entity', value: entity }, attributes: [attribute] } } });
   }
   delete(entity: number): void {
     this.send({ case: 'delete', value: { entity } });

@@ -2,15 +2,17 @@
 // decides who may use them.
 
 import type { WorldStats } from '@jostle/client/gen/play_pb';
-import { PlayerRole } from '@jostle/client/gen/play_pb';
+import type { Action } from '../room/room_rules';
 import type { SandboxCommands } from './sandbox_commands';
+import { button } from '../ui/elements';
 
 const SPEEDS = [100, 50, 25, 10, 5]; // percent
 const CONFIRM_MS = 4000;
 
 export interface TimePanelOptions {
   readonly commands: SandboxCommands;
-  role(): PlayerRole;
+  /** The rule that refuses an action; empty: none. */
+  refusal(action: Action): string;
   tickHz(): number;
 }
 
@@ -65,19 +67,31 @@ export class TimePanel {
     this.pause.textContent = this.paused ? 'Resume' : 'Pause';
     this.pause.setAttribute('aria-pressed', String(this.paused));
     this.step.disabled = !this.paused;
+    this.showRights();
     if (document.activeElement !== this.speed) this.speed.value = String(SPEEDS.includes(percent) ? percent : 100);
     const seconds = (this.tick / this.options.tickHz()).toFixed(1);
     const state = this.paused ? `Paused: ${stats!.paused}` : percent < 100 ? `Runs at ${percent} % of real time` : 'Runs in real time';
     this.state.textContent = stats ? `${state} · tick ${this.tick} · ${seconds} s` : 'No statistics yet.';
-    this.rights.textContent = rightsText(this.options.role());
     this.showTimeline();
     if (performance.now() > this.confirmUntilMs) this.reset.textContent = 'Reset world';
+  }
+
+  /** Disables what the rules refuse, and names them. */
+  private showRights(): void {
+    const { refusal } = this.options;
+    const [pause, speed, rewind, reset] = (['pause', 'speed', 'rewind', 'reset'] as const).map(refusal) as [string, string, string, string];
+    this.pause.disabled = pause !== '';
+    this.step.disabled ||= pause !== '';
+    this.speed.disabled = speed !== '';
+    this.reset.disabled = reset !== '';
+    this.rights.textContent = [...new Set([pause, speed, rewind, reset])].filter((rule) => rule !== '').join('. ');
   }
 
   private showTimeline(): void {
     const { ticks } = this;
     const empty = ticks.length === 0;
-    this.slider.disabled = this.rewind.disabled = empty;
+    this.slider.disabled = empty;
+    this.rewind.disabled = empty || this.options.refusal('rewind') !== '';
     const atEnd = this.slider.value === this.slider.max;
     this.slider.max = String(Math.max(0, ticks.length - 1));
     if (atEnd && document.activeElement !== this.slider) this.slider.value = this.slider.max;
@@ -106,29 +120,6 @@ export class TimePanel {
 
 export function secondsAgo(now: number, tick: number, hz: number): string {
   return (Math.max(0, now - tick) / hz).toFixed(1);
-}
-
-export function rightsText(role: PlayerRole): string {
-  switch (role) {
-    case PlayerRole.SPECTATOR:
-      return 'Spectators cannot change the time.';
-    case PlayerRole.PLAYER:
-      return 'By default, builders may pause, step and slow the world, and only its owner may rewind and reset it.';
-    case PlayerRole.BUILDER:
-      return 'By default, only the owner may rewind and reset the world.';
-    case PlayerRole.OWNER:
-      return '';
-    default:
-      return 'The world has no roles: an administrator controls its time.';
-  }
-}
-
-function button(text: string, run: () => void): HTMLButtonElement {
-  const element = document.createElement('button');
-  element.type = 'button';
-  element.textContent = text;
-  element.onclick = run;
-  return element;
 }
 
 function row(...elements: HTMLElement[]): HTMLElement {

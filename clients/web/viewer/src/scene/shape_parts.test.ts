@@ -64,3 +64,10 @@ describe('parts of shapes', () => {
     expect(partsOf(shape({}))).toEqual([]);
   });
 });
+
+it('the parts of a plane are small near its center and cover it', () => {
+  const points = UNIT_GEOMETRIES.plane().getAttribute('position');
+  const columns = [...new Set(Array.from({ length: points.count }, (_, k) => Math.abs(points.getX(k))))].sort((a, b) => a - b);
+  expect([columns.length, columns[0], columns.at(-1)]).toEqual([4, 0, 1]);
+  expect(columns[1]! * 2000).toBeLessThan(10); // m
+});

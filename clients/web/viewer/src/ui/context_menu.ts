@@ -2,6 +2,8 @@
 
 export interface MenuItem {
   readonly label: string;
+  /** The rule that refuses the item, which is disabled and shows it; empty or absent: it is allowed. */
+  readonly refusal?: string;
   run(): void;
 }
 
@@ -26,12 +28,17 @@ export class ContextMenu {
     this.element.setAttribute('aria-label', title);
     this.element.replaceChildren(
       heading,
-      ...items.map(({ label, run }) => {
+      ...items.map(({ label, run, refusal }) => {
         const button = document.createElement('button');
         button.type = 'button';
         button.setAttribute('role', 'menuitem');
         button.textContent = label;
+        if (refusal) {
+          button.setAttribute('aria-disabled', 'true');
+          button.append(Object.assign(document.createElement('small'), { textContent: refusal }));
+        }
         button.onclick = () => {
+          if (refusal) return;
           this.close();
           run();
         };

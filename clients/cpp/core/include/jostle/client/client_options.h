@@ -46,6 +46,7 @@ struct ClientOptions {
     bool joints = false;
     bool players = false;     ///< subscribes to the player list: WorldView::data()
     bool attributes = false;  ///< subscribes to attributes: WorldView::data()
+    bool room = false;        ///< subscribes to the settings of the room: WorldView::data()
     /// Topics of user messages to subscribe to, at most 64: Client::take_messages(); "*": all.
     std::vector<std::string> topics = {};
     std::optional<std::uint32_t> color = {};  ///< 0xRRGGBB, of the player; absent: none

@@ -7,6 +7,7 @@
 #include <compare>
 #include <cstdint>
 #include <map>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -31,10 +32,11 @@ struct AttributeTarget {
 /// Attributes of one target by key.
 using AttributeMap = std::map<std::string, v1::Attribute, std::less<>>;
 
-/// The player list and the attributes that the client subscribed to.
+/// The player list, the attributes and the room that the client subscribed to.
 class WorldData {
 public:
-    /// Applies the players and attributes of a snapshot, in the order in which they were received.
+    /// Applies the players, attributes and room of a snapshot, in the order in which they were
+    /// received.
     void apply(const v1::Snapshot& snapshot);
     /// Discards everything, for a new stream. A resumed one starts with complete lists.
     void clear();
@@ -45,6 +47,8 @@ public:
     const std::map<AttributeTarget, AttributeMap>& attributes() const { return attributes_; }
     /// Returns null if the client may not read the attribute or it does not exist.
     const v1::Attribute* attribute(const AttributeTarget& target, std::string_view key) const;
+    /// The room as this client may see it (ClientOptions::room); null: the world is no room.
+    const v1::RoomUpdate* room() const { return room_ ? &*room_ : nullptr; }
     /// Increases with every change of an attribute.
     std::uint64_t attribute_revision() const { return attribute_revision_; }
 
@@ -54,6 +58,7 @@ private:
 
     std::map<std::uint32_t, v1::Player> players_;
     std::map<AttributeTarget, AttributeMap> attributes_;
+    std::optional<v1::RoomUpdate> room_;
     std::uint64_t attribute_revision_ = 0;
 };
 

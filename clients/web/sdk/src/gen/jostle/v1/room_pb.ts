@@ -14,7 +14,7 @@ import type { Message } from "@bufbuild/protobuf";
  * Describes the file jostle/v1/room.proto.
  */
 export const file_jostle_v1_room: GenFile = /*@__PURE__*/
-  fileDesc("ChRqb3N0bGUvdjEvcm9vbS5wcm90bxIJam9zdGxlLnYxIsEDCgxSb29tU2V0dGluZ3MSDQoFdGl0bGUYASABKAkSEwoLZGVzY3JpcHRpb24YAiABKAkSDAoEdGFncxgDIAMoCRIQCghjYXBhY2l0eRgEIAEoDRIRCglqb2luX2NvZGUYBSABKAkSEAoIdW5saXN0ZWQYBiABKAgSGAoQY2xvc2Vfd2hlbl9lbXB0eRgHIAEoCBIUCgxpbml0aWFsX3JvbGUYCCABKAkSPQoLcGVybWlzc2lvbnMYCSADKAsyKC5qb3N0bGUudjEuUm9vbVNldHRpbmdzLlBlcm1pc3Npb25zRW50cnkSMwoGcXVvdGFzGAogAygLMiMuam9zdGxlLnYxLlJvb21TZXR0aW5ncy5RdW90YXNFbnRyeRInCgVhcmVhcxgLIAMoCzIYLmpvc3RsZS52MS5Qcm90ZWN0ZWRBcmVhEhgKEHRpbWVsaW5lX3NlY29uZHMYFCABKA0aMgoQUGVybWlzc2lvbnNFbnRyeRILCgNrZXkYASABKAkSDQoFdmFsdWUYAiABKAk6AjgBGi0KC1F1b3Rhc0VudHJ5EgsKA2tleRgBIAEoCRINCgV2YWx1ZRgCIAEoAToCOAEiawoNUHJvdGVjdGVkQXJlYRIMCgRuYW1lGAEgASgJEhwKA21pbhgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEhwKA21heBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzEhAKCG1pbl9yb2xlGAQgASgJIrMBCghSb29tSW5mbxINCgV0aXRsZRgBIAEoCRITCgtkZXNjcmlwdGlvbhgCIAEoCRIMCgR0YWdzGAMgAygJEhAKCGNhcGFjaXR5GAQgASgNEhIKCmlzX3ByaXZhdGUYBSABKAgSEAoIdW5saXN0ZWQYBiABKAgSGAoQY2xvc2Vfd2hlbl9lbXB0eRgHIAEoCBIPCgdwbGF5ZXJzGAggASgNEhIKCnNwZWN0YXRvcnMYCSABKA1iBnByb3RvMw", [file_jostle_v1_common]);
+  fileDesc("ChRqb3N0bGUvdjEvcm9vbS5wcm90bxIJam9zdGxlLnYxIsEDCgxSb29tU2V0dGluZ3MSDQoFdGl0bGUYASABKAkSEwoLZGVzY3JpcHRpb24YAiABKAkSDAoEdGFncxgDIAMoCRIQCghjYXBhY2l0eRgEIAEoDRIRCglqb2luX2NvZGUYBSABKAkSEAoIdW5saXN0ZWQYBiABKAgSGAoQY2xvc2Vfd2hlbl9lbXB0eRgHIAEoCBIUCgxpbml0aWFsX3JvbGUYCCABKAkSPQoLcGVybWlzc2lvbnMYCSADKAsyKC5qb3N0bGUudjEuUm9vbVNldHRpbmdzLlBlcm1pc3Npb25zRW50cnkSMwoGcXVvdGFzGAogAygLMiMuam9zdGxlLnYxLlJvb21TZXR0aW5ncy5RdW90YXNFbnRyeRInCgVhcmVhcxgLIAMoCzIYLmpvc3RsZS52MS5Qcm90ZWN0ZWRBcmVhEhgKEHRpbWVsaW5lX3NlY29uZHMYFCABKA0aMgoQUGVybWlzc2lvbnNFbnRyeRILCgNrZXkYASABKAkSDQoFdmFsdWUYAiABKAk6AjgBGi0KC1F1b3Rhc0VudHJ5EgsKA2tleRgBIAEoCRINCgV2YWx1ZRgCIAEoAToCOAEiawoNUHJvdGVjdGVkQXJlYRIMCgRuYW1lGAEgASgJEhwKA21pbhgCIAEoCzIPLmpvc3RsZS52MS5WZWMzEhwKA21heBgDIAEoCzIPLmpvc3RsZS52MS5WZWMzEhAKCG1pbl9yb2xlGAQgASgJIrMBCghSb29tSW5mbxINCgV0aXRsZRgBIAEoCRITCgtkZXNjcmlwdGlvbhgCIAEoCRIMCgR0YWdzGAMgAygJEhAKCGNhcGFjaXR5GAQgASgNEhIKCmlzX3ByaXZhdGUYBSABKAgSEAoIdW5saXN0ZWQYBiABKAgSGAoQY2xvc2Vfd2hlbl9lbXB0eRgHIAEoCBIPCgdwbGF5ZXJzGAggASgNEhIKCnNwZWN0YXRvcnMYCSABKA0iPAoHUm9vbUJhbhIOCgZtZW1iZXIYASABKAkSDgoGcmVhc29uGAIgASgJEhEKCXBlcm1hbmVudBgDIAEoCCJZCgpSb29tVXBkYXRlEikKCHNldHRpbmdzGAEgASgLMhcuam9zdGxlLnYxLlJvb21TZXR0aW5ncxIgCgRiYW5zGAIgAygLMhIuam9zdGxlLnYxLlJvb21CYW5iBnByb3RvMw", [file_jostle_v1_common]);
 
 /**
  * The settings of a room. A world without them is no room: everybody who may join it may do everything that its limits
@@ -226,4 +226,67 @@ export type RoomInfo = Message<"jostle.v1.RoomInfo"> & {
  */
 export const RoomInfoSchema: GenMessage<RoomInfo> = /*@__PURE__*/
   messageDesc(file_jostle_v1_room, 2);
+
+/**
+ * A member that may not join.
+ *
+ * @generated from message jostle.v1.RoomBan
+ */
+export type RoomBan = Message<"jostle.v1.RoomBan"> & {
+  /**
+   * "subject/NAME" or "network/PREFIX"
+   *
+   * @generated from field: string member = 1;
+   */
+  member: string;
+
+  /**
+   * @generated from field: string reason = 2;
+   */
+  reason: string;
+
+  /**
+   * until it is removed
+   *
+   * @generated from field: bool permanent = 3;
+   */
+  permanent: boolean;
+};
+
+/**
+ * Describes the message jostle.v1.RoomBan.
+ * Use `create(RoomBanSchema)` to create a new message.
+ */
+export const RoomBanSchema: GenMessage<RoomBan> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_room, 3);
+
+/**
+ * The room as one client sees it, for clients that subscribe to it (Hello.room): after they join, and after each
+ * change of what they may see.
+ *
+ * @generated from message jostle.v1.RoomUpdate
+ */
+export type RoomUpdate = Message<"jostle.v1.RoomUpdate"> & {
+  /**
+   * With the current areas. `permissions` and `quotas` contain only entries that differ from those of a default room.
+   * `join_code` is set only for clients that may change the settings.
+   *
+   * @generated from field: jostle.v1.RoomSettings settings = 1;
+   */
+  settings?: RoomSettings | undefined;
+
+  /**
+   * in order of time; only for clients that may ban
+   *
+   * @generated from field: repeated jostle.v1.RoomBan bans = 2;
+   */
+  bans: RoomBan[];
+};
+
+/**
+ * Describes the message jostle.v1.RoomUpdate.
+ * Use `create(RoomUpdateSchema)` to create a new message.
+ */
+export const RoomUpdateSchema: GenMessage<RoomUpdate> = /*@__PURE__*/
+  messageDesc(file_jostle_v1_room, 4);
 

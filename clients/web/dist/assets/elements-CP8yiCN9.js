@@ -1,0 +1,1 @@
+function e(e,t=``,n=``){let r=document.createElement(e);return r.textContent=t,n&&(r.className=n),r}function t(t,n,r=``){let i=e(`button`,t,r);return i.type=`button`,i.onclick=n,i}export{e as n,t};

@@ -18,6 +18,8 @@ namespace {
 
 // Share of an overlap that a contact removes in a sub-step, and its greatest speed, m/s.
 constexpr double overlap_share = 0.2, separation_speed = 0.1;
+// A recovery that energy limits to less than this share does not happen.
+constexpr double least_recovery = 0.05;
 // Contacts are looked at within this share of the sum of the radii.
 constexpr double near_share = 0.5;
 // A contact takes part in an iteration if its gap is less than this share of its distance.
@@ -328,7 +330,7 @@ bool RopeContacts::couple(std::span<StrandJob> jobs) {
     }
     for (std::size_t r = 0; r < moving_; r++)
         if (changed[r]) solve_again(jobs[r]);
-    bool settled = true;
+    bool settled = !limit_recovery(jobs);
     for (Contact& c : contacts_) {
         if (c.active || c.is_double) continue;
         if (c.gap + dot(c.normal, displaced(c, jobs)) >= minimum(0, c.wanted)) continue;
@@ -336,6 +338,32 @@ bool RopeContacts::couple(std::span<StrandJob> jobs) {
         settled = false;
     }
     return settled;
+}
+
+// Contacts may do as much work, while they take ropes out of overlaps, as the sub-step dissipates:
+// 1/2 m |change of velocity|^2, beside what tensions and bending at or after the middle of the
+// sub-step take. Reduces the recovery otherwise. Returns whether it does.
+bool RopeContacts::limit_recovery(std::span<const StrandJob> jobs) {
+    double work = 0, recovery = 0, dissipated = 0;  // times h^2
+    for (const Contact& c : contacts_) {
+        if (c.force == Vec3{}) continue;
+        work += dot(c.force, displaced(c, jobs));
+        recovery += dot(c.force, c.normal) * maximum(0, c.wanted - c.gap);
+    }
+    if (!(work > 0) || !(recovery > 0)) return false;
+    for (const StrandJob& job : jobs) {
+        const StrandScratch& s = *job.scratch;
+        for (std::size_t i = 0; i < s.displacements.size(); i++) {
+            const Vec3 end = job.strand->positions[i] + s.displacements[i];
+            dissipated += 0.5 * s.masses[i] * length_squared(end - s.start[i] * 2 + s.previous[i]);
+        }
+    }
+    if (work <= dissipated * (1 + 1e-3)) return false;
+    double share = 1 - (work - dissipated) / recovery;
+    if (share < least_recovery) share = 0;
+    for (Contact& c : contacts_)
+        if (c.wanted > c.gap) c.wanted = c.gap + (c.wanted - c.gap) * share;
+    return true;
 }
 
 void RopeContacts::activate(std::span<const StrandJob> jobs) {

@@ -60,7 +60,7 @@ private:
         physics::Vec3 normal = {};  // unit, from b to a
         double distance = 0;        // m, that it demands
         double gap = 0;             // m, at the start of the sub-step; negative: overlap
-        double wanted = 0;          // m, least gap at its end
+        double wanted = 0;          // m, least gap at its end; above the gap: recovers an overlap
         physics::Vec3 apart = {};   // m, from the point of b to that of a, likewise
         double friction = 0;        // coefficient
         bool is_double = false;     // of that of the next link
@@ -99,6 +99,7 @@ private:
     bool is_at_next(const Contact& contact) const;
     physics::Vec3 apart(const Contact& contact) const;
     physics::Vec3 displaced(const Contact& contact, std::span<const StrandJob> jobs) const;
+    bool limit_recovery(std::span<const StrandJob> jobs);
     void activate(std::span<const StrandJob> jobs);
     void add_response(Contact& contact);
     void solve();

@@ -46,7 +46,7 @@ struct RopeDef {
     std::uint32_t substeps = 8;  ///< least sub-steps per step, 1 to 64
     bool collide_bodies = true;  ///< whether it touches the shapes of the world
     bool collide_self = false;   ///< whether its links touch each other, as in a knot
-    bool collide_ropes = true;   ///< whether it touches other ropes of which this is true
+    bool collide_ropes = false;  ///< whether it touches other ropes of which this is true
     /// Touches shapes with one of these categories, except those of bodies that it is attached to.
     std::uint32_t body_categories = 0xffffffff;
     std::uint32_t color = 0xc8a060;  ///< 0xRRGGBB, for clients

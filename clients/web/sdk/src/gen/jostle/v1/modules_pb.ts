@@ -2579,7 +2579,7 @@ export type Rope = Message<"jostle.v1.Rope"> & {
   collideSelf?: boolean | undefined;
 
   /**
-   * touches other ropes of which this is true; absent: true
+   * touches other ropes of which this is true; absent: false
    *
    * @generated from field: optional bool collide_ropes = 19;
    */

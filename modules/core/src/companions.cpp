@@ -29,6 +29,7 @@ void Companions::find(std::span<const Reach> reaches, const MovesInto& moves_int
         for (std::size_t n = k + 1; n < order.size(); n++) {
             const Reach &a = reaches[order[k]], &b = reaches[order[n]];
             if (b.box.low.x > a.box.high.x) break;
+            if (!a.awake && !b.awake) continue;
             if (overlap(a.box, b.box)) pairs_.push_back(std::minmax(order[k], order[n]));
         }
     std::ranges::sort(pairs_);

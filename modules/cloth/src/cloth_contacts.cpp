@@ -48,6 +48,16 @@ double greatest_speed(const Sheet& sheet) {
     return square_root(most);
 }
 
+Aabb bounds_of(const Sheet& sheet, double margin) {
+    Aabb box{sheet.position(0), sheet.position(0)};
+    for (std::size_t k = 0; k < sheet.size(); k++) {
+        box.low = min(box.low, sheet.position(k));
+        box.high = max(box.high, sheet.position(k));
+    }
+    const Vec3 more{margin, margin, margin};
+    return {box.low - more, box.high + more};
+}
+
 double longest_edge(const Sheet& sheet) {
     double most = 0;
     for (const SheetEdge& edge : sheet.topology().edges) most = maximum(most, edge.rest_length);

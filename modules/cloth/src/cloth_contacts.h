@@ -12,6 +12,7 @@ namespace jostle::modules::cloth_detail {
 
 double greatest_speed(const Sheet& sheet);
 double longest_edge(const Sheet& sheet);
+physics::Aabb bounds_of(const Sheet& sheet, double margin);
 double mean_speed(const Sheet& sheet);  // root mean square
 // Finds the contacts of the next h seconds.
 void find_contacts(Cloth& cloth, double h, physics::Vec3 gravity);

@@ -19,16 +19,6 @@ namespace {
 // A cloth and its bodies rest for this time before they sleep, as bodies do, s.
 constexpr double time_to_sleep = 0.5;
 
-Aabb bounds_of(const Sheet& sheet, double margin) {
-    Aabb box{sheet.position(0), sheet.position(0)};
-    for (std::size_t k = 0; k < sheet.size(); k++) {
-        box.low = min(box.low, sheet.position(k));
-        box.high = max(box.high, sheet.position(k));
-    }
-    const Vec3 more{margin, margin, margin};
-    return {box.low - more, box.high + more};
-}
-
 // Destroyed bodies release the cloth.
 void drop_lost_bodies(const World& world, Cloth& cloth) {
     const std::size_t before = cloth.attachments.size();

@@ -4,6 +4,7 @@
 #pragma once
 
 #include <cstdint>
+#include <memory>
 #include <vector>
 
 #include "jostle/modules/carried_bodies.h"
@@ -22,6 +23,18 @@ struct SavedContact {
     double pressure = 0;
 };
 
+// A contact of a link with a link of another rope, or of the same one, at the end of a sub-step.
+struct LinkContact {
+    std::uint32_t link = 0;
+    std::uint32_t other = 0;  // number of the key of the other rope
+    std::uint32_t other_link = 0;
+    physics::Vec3 normal = {};  // unit, towards `link`
+    double distance = 0;        // m, of the axes, that it demands
+    physics::Vec3 force = {};   // N, on `link`
+};
+
+class RopeContacts;
+
 struct Rope {
     RopeKey key;
     RopeDef def;
@@ -30,8 +43,9 @@ struct Rope {
     double winch[2] = {0, 0};                 // m/s, by end
     double link_length = 0;                   // m, of links that a winch adds
     bool awake = true;
-    double rest_time = 0;                // s
-    std::vector<SavedContact> contacts;  // of the last sub-step
+    double rest_time = 0;                    // s
+    std::vector<SavedContact> contacts;      // of the last sub-step
+    std::vector<LinkContact> link_contacts;  // likewise, sorted
     CarriedBodies bodies;
 
     // Data of the current step. Not state.
@@ -49,6 +63,12 @@ struct Rope {
     std::vector<std::uint32_t> contact_body, contact_shape;  // per strand contact
     std::vector<physics::Vec3> contact_point;
     StrandScratch scratch;
+    // The ropes that may touch each other in this step advance together. The first of them leads.
+    Rope* leader = nullptr;         // of others than this one; null: it leads
+    std::vector<Rope*> companions;  // of a leader, by key
+    std::vector<Rope*> obstacles;   // of a leader: asleep, by key
+    // Of a leader that may touch others or itself; null otherwise.
+    std::shared_ptr<RopeContacts> rope_contacts;
 };
 
 inline std::vector<Support> supports_of(const Rope& rope) {

@@ -39,6 +39,8 @@ public:
         reader_.number("breaking_load", def.breaking_load, 0, 1e12);
         count("substeps", def.substeps, 1, 64);
         reader_.flag("collide_bodies", def.collide_bodies);
+        reader_.flag("collide_self", def.collide_self);
+        reader_.flag("collide_ropes", def.collide_ropes);
         count("body_categories", def.body_categories, 0, 4294967295.0);
         count("color", def.color, 0, 0xffffff);
         list("attachments", Ropes::attachments_max, [&](const std::string& item) {

@@ -39,6 +39,8 @@ void visit_def(StateVisitor& v, RopeDef& def) {
     v.field("breaking_load", def.breaking_load);
     v.field("substeps", def.substeps);
     v.field("collide_bodies", def.collide_bodies);
+    v.field("collide_self", def.collide_self);
+    v.field("collide_ropes", def.collide_ropes);
     v.field("body_categories", def.body_categories);
     v.field("color", def.color);
     v.leave();
@@ -113,6 +115,30 @@ void visit_contacts(StateVisitor& v, Rope& rope) {
     });
 }
 
+void visit_link_contacts(StateVisitor& v, Rope& rope) {
+    v.all("link_contacts", rope.link_contacts, [&](LinkContact& contact) {
+        v.field("link", contact.link);
+        v.field("other", contact.other);
+        v.field("other_link", contact.other_link);
+        v.field("normal", contact.normal);
+        v.field("distance", contact.distance);
+        v.field("force", contact.force);
+        if (!v.loading() || v.failed()) return;
+        if (contact.link >= rope.strand.links()) v.fail("link", "does not exist");
+        if (!is_within(contact.normal, 1.001)) v.fail("normal", "is longer than 1");
+        if (!(contact.distance > 0 && contact.distance <= 2 * 10))
+            v.fail("distance", "is out of range; must be above 0 and at most 20 m");
+        if (!is_within(contact.force, tension_max)) v.fail("force", "is out of range");
+    });
+    if (!v.loading() || v.failed()) return;
+    const auto place = [](const LinkContact& c) {
+        return std::tuple(c.link, c.other, c.other_link);
+    };
+    for (std::size_t k = 1; k < rope.link_contacts.size(); k++)
+        if (place(rope.link_contacts[k]) <= place(rope.link_contacts[k - 1]))
+            return v.fail("link_contacts", "are not strictly increasing");
+}
+
 void visit_rope(StateVisitor& v, Rope& rope) {
     v.field("key", rope.key.number);
     visit_def(v, rope.def);
@@ -126,6 +152,7 @@ void visit_rope(StateVisitor& v, Rope& rope) {
     v.field("awake", rope.awake);
     bounded(v, "rest_time", rope.rest_time, 0, 1e12);
     visit_contacts(v, rope);
+    visit_link_contacts(v, rope);
     rope.bodies.visit(v);
     if (!v.loading()) return;
     if (!rope.bodies.has_grabs_of(supports_of(rope)))

@@ -2,10 +2,13 @@
 #include "modules/rope/src/rope_step.h"
 
 #include <algorithm>
+#include <memory>
 #include <utility>
+#include <vector>
 
 #include "jostle/base/check.h"
 #include "jostle/physics/scalar.h"
+#include "modules/rope/src/rope_contacts.h"
 #include "modules/rope/src/rope_winch.h"
 
 namespace jostle::modules::rope_detail {
@@ -17,22 +20,6 @@ namespace {
 // A rope and its bodies rest for this time before they sleep, as bodies do, s.
 constexpr double time_to_sleep = 0.5;
 constexpr double rest_speed = CarriedBodies::rest_speed;
-
-double greatest_speed(const Strand& strand) {
-    double most = 0;
-    for (const Vec3 v : strand.velocities) most = maximum(most, length_squared(v));
-    return square_root(most);
-}
-
-Aabb bounds_of(const Rope& rope, double margin) {
-    Aabb box{rope.strand.positions[0], rope.strand.positions[0]};
-    for (const Vec3 p : rope.strand.positions) {
-        box.low = min(box.low, p);
-        box.high = max(box.high, p);
-    }
-    const Vec3 more{margin, margin, margin};
-    return {box.low - more, box.high + more};
-}
 
 // Destroyed bodies release the rope.
 void drop_lost_bodies(const World& world, Rope& rope) {
@@ -51,31 +38,34 @@ public:
     Advance(Rope& rope, const RopeSubstep& substep, int parts, double dt)
         : rope_(rope), substep_(substep), h_(substep.h / parts), dt_(dt) {}
 
-    void run(int parts) {
-        rope_.bodies.read(substep_.group);
-        for (int n = 0; n < parts; n++) {
-            run_winches(rope_, h_, dt_);
-            rope_.bodies.pull_grabs(h_);
-            rope_.bodies.place(rope_.nearby);
-            find_contacts();
-            count_shares();
-            make_loads();
-            make_travels();
-            apply_fields(substep_.time + n * h_);
-            advance_strand(rope_.strand,
-                           {.h = h_,
-                            .gravity = substep_.gravity,
-                            .forces = rope_.forces,
-                            .loads = rope_.loads,
-                            .clamps = rope_.clamps,
-                            .contacts = rope_.strand_contacts},
-                           rope_.scratch);
-            take_impulses();
-            save_contacts();
-            rope_.bodies.move(h_);
-            finish_strand();
-        }
-        rope_.bodies.write(substep_.group);
+    // Up to the forces on the nodes. `part` is that of the sub-step.
+    void begin(int part) {
+        run_winches(rope_, h_, dt_);
+        rope_.bodies.pull_grabs(h_);
+        rope_.bodies.place(rope_.nearby);
+        find_contacts();
+        count_shares();
+        make_loads();
+        make_travels();
+        apply_fields(substep_.time + part * h_);
+    }
+    StrandJob job(bool coupled) {
+        return {.strand = &rope_.strand,
+                .input = {.h = h_,
+                          .gravity = substep_.gravity,
+                          .forces = rope_.forces,
+                          .loads = rope_.loads,
+                          .clamps = rope_.clamps,
+                          .contacts = rope_.strand_contacts,
+                          .coupled = coupled,
+                          .iterations_max = coupled ? 16 : 12},
+                .scratch = &rope_.scratch};
+    }
+    void end() {
+        take_impulses();
+        save_contacts();
+        rope_.bodies.move(h_);
+        finish_strand();
     }
 
 private:
@@ -284,6 +274,26 @@ private:
 
 }  // namespace
 
+double greatest_speed(const Strand& strand) {
+    double most = 0;
+    for (const Vec3 v : strand.velocities) most = maximum(most, length_squared(v));
+    return square_root(most);
+}
+
+Aabb bounds_of(const Rope& rope, double margin) {
+    Aabb box{rope.strand.positions[0], rope.strand.positions[0]};
+    for (const Vec3 p : rope.strand.positions) {
+        box.low = min(box.low, p);
+        box.high = max(box.high, p);
+    }
+    const Vec3 more{margin, margin, margin};
+    return {box.low - more, box.high + more};
+}
+
+double reach_of(const Rope& rope, double dt, Vec3 gravity) {
+    return 1.25 * rope.def.radius + dt * (greatest_speed(rope.strand) + dt * length(gravity));
+}
+
 void wake(Rope& rope) {
     rope.awake = true;
     rope.rest_time = 0;
@@ -294,27 +304,78 @@ void begin_step(World& world, Rope& rope, double dt, bool in_fields) {
     rope.peak_tension = 0;
     rope.peak_link = 0;
     rope.substeps_done = 0;
-    const double speed = greatest_speed(rope.strand);
-    const double reach = 1.25 * rope.def.radius + dt * (speed + dt * length(world.gravity()));
+    rope.leader = nullptr;
+    rope.companions.clear();
+    rope.obstacles.clear();
+    const double reach = reach_of(rope, dt, world.gravity());
     if (rope.def.collide_bodies)
         rope.nearby.collect(world, bounds_of(rope, reach), dt,
                             {.categories = rope.def.body_categories});
     if (!rope.awake && (in_fields || rope.bodies.any_moves(world, rope.nearby))) wake(rope);
-    if (!rope.awake) return;
+}
+
+void find_bodies(World& world, Rope& rope, double dt) {
     rope.bodies.forget_old_contacts();
-    if (speed > rest_speed || rope.rest_time == 0) rope.bodies.tie(world);
+    // One group of sub-steps owns a leader and its companions, which find their bodies first.
+    bool moves = greatest_speed(rope.strand) > rest_speed || rope.rest_time == 0;
+    std::vector<BodyId> others;
+    for (const Rope* companion : rope.companions) {
+        const std::span<const BodyId> tied = companion->bodies.ties().bodies();
+        others.insert(others.end(), tied.begin(), tied.end());
+        moves = moves || companion->rest_time == 0;
+    }
+    if (moves) rope.bodies.tie(world, others);
     rope.bodies.find(world, rope.nearby);
     rope.may_touch = std::ranges::any_of(rope.nearby.bodies(), [&](const auto& body) {
         return !rope.bodies.is_attached_to(body.id);
     });
+    if (rope.leader != nullptr) return;
+    if (rope.companions.empty() && rope.obstacles.empty() && !rope.def.collide_self) {
+        rope.rope_contacts = nullptr;
+        return;
+    }
+    std::vector<Rope*> members{&rope};
+    members.insert(members.end(), rope.companions.begin(), rope.companions.end());
+    if (rope.rope_contacts == nullptr) rope.rope_contacts = std::make_shared<RopeContacts>();
+    rope.rope_contacts->begin_step(members, rope.obstacles, dt, world.gravity());
 }
 
 void advance(Rope& rope, const RopeSubstep& substep, int count) {
-    ASSERT(count >= 1 && substep.h > 0);
-    const int least = static_cast<int>(rope.def.substeps);
-    const int parts = (least + count - 1) / count;
-    Advance(rope, substep, parts, substep.h * count).run(parts);
-    rope.substeps_done++;
+    ASSERT(count >= 1 && substep.h > 0 && rope.leader == nullptr);
+    std::vector<Rope*> members{&rope};
+    members.insert(members.end(), rope.companions.begin(), rope.companions.end());
+    int least = 1;
+    for (const Rope* member : members)
+        least = std::max(least, static_cast<int>(member->def.substeps));
+    const bool ropes_touch = rope.rope_contacts != nullptr && !rope.rope_contacts->empty();
+    int parts = (least + count - 1) / count;
+    if (ropes_touch)
+        parts = rope.rope_contacts->parts_of(substep.h, parts);
+    else
+        for (Rope* member : members) member->link_contacts.clear();
+    const double h = substep.h / parts;
+    std::vector<Advance> advances;
+    for (Rope* member : members) {
+        advances.emplace_back(*member, substep, parts, substep.h * count);
+        member->bodies.read(substep.group);
+    }
+    std::vector<StrandJob> jobs;
+    for (int n = 0; n < parts; n++) {
+        for (Advance& each : advances) each.begin(n);
+        const bool coupled = ropes_touch && rope.rope_contacts->begin_substep(h);
+        jobs.clear();
+        for (Advance& each : advances) jobs.push_back(each.job(coupled));
+        if (coupled)
+            advance_strands(jobs, *rope.rope_contacts);
+        else
+            for (const StrandJob& job : jobs) advance_strand(*job.strand, job.input, *job.scratch);
+        if (ropes_touch) rope.rope_contacts->end_substep();
+        for (Advance& each : advances) each.end();
+    }
+    for (Rope* member : members) {
+        member->bodies.write(substep.group);
+        member->substeps_done++;
+    }
 }
 
 void end_step(World& world, Rope& rope, double dt, bool in_fields) {

@@ -20,11 +20,20 @@ struct RopeSubstep {
     physics::SubstepContext* group = nullptr;        // null: no dynamic bodies move with the rope
 };
 
-// Before a step: wakes the rope if something near it moves or if the world has force fields, finds
-// the shapes and bodies near it, and ties its bodies. Resting ropes do not wake bodies.
+double greatest_speed(const Strand& strand);  // m/s
+physics::Aabb bounds_of(const Rope& rope, double margin);
+// How far from its nodes the rope may touch something in the step, m.
+double reach_of(const Rope& rope, double dt, physics::Vec3 gravity);
+
+// Before a step: finds the shapes near the rope, and wakes it if something near it moves or if the
+// world has force fields.
 void begin_step(physics::World& world, Rope& rope, double dt, bool in_fields);
-// Advances the rope and gives its bodies their impulses. Divides the sub-step so that the rope
-// takes at least RopeDef::substeps per step; `count` is the number of sub-steps of the step.
+// Then, if it is awake and its companions are known: ties and finds its bodies. Resting ropes do
+// not wake bodies.
+void find_bodies(physics::World& world, Rope& rope, double dt);
+// Advances a leading rope with its companions and gives their bodies the impulses. Divides the
+// sub-step so that each takes at least RopeDef::substeps per step; `count` is the number of
+// sub-steps of the step.
 void advance(Rope& rope, const RopeSubstep& substep, int count);
 // After a step: gives the impulses to bodies that are in no group of the rope, and puts the rope to
 // sleep. Ropes do not sleep in worlds with force fields.

@@ -19,6 +19,7 @@ void move_attachments(Rope& rope, std::size_t from, int by) {
         if (attachment.node >= from)
             attachment.node = static_cast<std::uint32_t>(static_cast<int>(attachment.node) + by);
     rope.contacts.clear();  // they are identified by link
+    rope.link_contacts.clear();
 }
 
 // Divides a link so that its part away from the end has the usual length.

@@ -6,6 +6,7 @@
 
 #include "jostle/base/check.h"
 #include "modules/rope/src/rope_checks.h"
+#include "modules/rope/src/rope_companions.h"
 #include "modules/rope/src/rope_data.h"
 #include "modules/rope/src/rope_step.h"
 #include "modules/rope/src/rope_winch.h"
@@ -145,6 +146,7 @@ Status Ropes::remove(World& world, RopeKey key) {
     Rope* rope = find(key);
     if (rope == nullptr) return unknown(key);
     rope->bodies.ties().release(world);
+    rope_detail::forget_companion(ropes_, *rope);
     std::erase_if(ropes_, [&](const auto& each) { return each.get() == rope; });
     return {};
 }
@@ -237,6 +239,8 @@ Result<RopeKey> Ropes::split(World& world, Rope& rope, std::size_t node, RopeEve
                   [&](const RopeAttachment& attachment) { return attachment.node > node; });
     rest->winch[1] = std::exchange(rope.winch[1], 0);
     rope.contacts.clear();
+    rope.link_contacts.clear();
+    rope_detail::forget_companion(ropes_, rope);
     rope.bodies.ties().release(world);
     rope_detail::wake(rope);
     events_.push_back({kind, rope.key, rest->key, b.positions[0], tension});
@@ -300,6 +304,8 @@ Status Ropes::join(World& world, RopeKey key, RopeKey next_key) {
     for (RopeAttachment& attachment : rope->attachments)
         if (attachment.node != 0 && attachment.node != a.links()) attachment.direction = {};
     rope->contacts.clear();
+    rope->link_contacts.clear();
+    rope_detail::forget_companion(ropes_, *rope);
     rope_detail::wake(*rope);
     events_.push_back({RopeEventKind::joined, key, next_key, a.positions[offset], 0});
     return remove(world, next_key);
@@ -326,10 +332,19 @@ void Ropes::before_step(World& world, double dt) {
         if (rope->winch[0] != 0 || rope->winch[1] != 0)
             rope_detail::keep_link_lengths(*rope, links_max - std::min(links_max, link_count()));
         rope_detail::begin_step(world, *rope, dt, !fields_.empty());
+    }
+    rope_detail::find_companions(ropes_, dt, world.gravity());
+    // Leaders tie the bodies of their companions.
+    for (const bool leads : {false, true})
+        for (const auto& rope : ropes_)
+            if (rope->awake && (rope->leader == nullptr) == leads)
+                rope_detail::find_bodies(world, *rope, dt);
+    for (const auto& rope : ropes_) {
         if (!rope->awake) continue;
         work += static_cast<std::int64_t>(rope->strand.links()) *
                 std::max<std::int64_t>(rope->def.substeps, world.substeps()) * link_work;
-        if (rope->bodies.ties().bodies().empty()) alone.push_back(rope.get());
+        if (rope->leader == nullptr && rope->bodies.ties().bodies().empty())
+            alone.push_back(rope.get());
     }
     world.count_work(work / 100);
     struct Run {
@@ -352,12 +367,16 @@ void Ropes::before_step(World& world, double dt) {
 void Ropes::before_substep(SubstepContext& substep) {
     const rope_detail::RopeSubstep own{substep.h(), substep.world().gravity(), substep.time(),
                                        fields_, &substep};
+    const auto leads = [&](const Rope& rope) {
+        return rope.awake && rope.leader == nullptr && rope.bodies.ties().owned_by(substep);
+    };
+    for (const auto& rope : ropes_) {
+        if (!leads(*rope)) continue;
+        rope->bodies.push_as_before(substep);
+        for (Rope* companion : rope->companions) companion->bodies.push_as_before(substep);
+    }
     for (const auto& rope : ropes_)
-        if (rope->awake && rope->bodies.ties().owned_by(substep))
-            rope->bodies.push_as_before(substep);
-    for (const auto& rope : ropes_)
-        if (rope->awake && rope->bodies.ties().owned_by(substep))
-            rope_detail::advance(*rope, own, substep.count());
+        if (leads(*rope)) rope_detail::advance(*rope, own, substep.count());
 }
 
 void Ropes::after_step(World& world, double dt) {
@@ -365,11 +384,14 @@ void Ropes::after_step(World& world, double dt) {
     const std::size_t count = ropes_.size();
     for (std::size_t k = 0; k < count; k++) {
         Rope& rope = *ropes_[k];
-        if (!rope.awake) continue;
         // Its bodies were in no group, for example because the step was stopped.
-        if (rope.substeps_done == 0)
+        if (rope.awake && rope.leader == nullptr && rope.substeps_done == 0)
             rope_detail::advance(rope, {dt, world.gravity(), world.time() - dt, fields_, nullptr},
                                  1);
+    }
+    for (std::size_t k = 0; k < count; k++) {
+        Rope& rope = *ropes_[k];
+        if (!rope.awake) continue;
         rope_detail::end_step(world, rope, dt, !fields_.empty());
         if (rope.def.breaking_load == 0 || rope.peak_tension <= rope.def.breaking_load) continue;
         // Breaks at the inner node next to the link, or at its attachment if there is none.

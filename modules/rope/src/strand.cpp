@@ -30,6 +30,8 @@ constexpr int decisions_max = 8;
 constexpr double pressure_tolerance = 0.05;
 // Relative error of lengths below which an iteration is the last one.
 constexpr double length_tolerance = 1e-6;
+// Square of the relative change of a node below which forces between links are settled.
+constexpr double force_tolerance = 1e-7;
 // Squares of the relative change of an edge: above the first one in the last iteration, the
 // solution is rejected; the second one limits an iteration.
 constexpr double acceptable_change = 0.01, farthest_change = 0.0625;
@@ -45,36 +47,46 @@ public:
           inverse_mass_per_length_(1 / strand.mass_per_length),
           stretch_compliance_(1 / (strand.stretch_stiffness * h2_)) {}
 
-    int run() {
+    void begin() {
         predict();
         choose_weights();
         begin_contacts();
-        int iterations = 0;
-        for (bool decided = false; iterations < input_.iterations_max;) {
-            iterations++;
-            assemble();
-            solve();
-            bool lengths_settled = move();
-            if (decided) {
-                lengths_settled = !stiffen() && lengths_settled;
-            } else {
-                // The step starts again if tensions or contacts differ from what it assumed.
-                const bool links_agree = update_links(), contacts_agree = update_contacts();
-                decided = (links_agree && contacts_agree) || iterations >= decisions_max;
-                if (!decided) move_back();
-            }
-            if (decided && lengths_settled) {
-                finish();
-                return iterations;
-            }
+    }
+    // Returns whether the solution is found.
+    bool iterate() {
+        linearise();
+        return conclude(true);
+    }
+    // Solves for the displacements of an iteration.
+    void linearise() {
+        iterations_++;
+        assemble();
+        solve();
+    }
+    // Moves to the next iterate. `settled`: forces of the coupling have changed little.
+    bool conclude(bool settled) {
+        bool lengths_settled = move() && settled;
+        if (decided_) {
+            lengths_settled = !stiffen() && lengths_settled;
+        } else {
+            // The step starts again if tensions or contacts differ from what it assumed.
+            const bool links_agree = update_links(), contacts_agree = update_contacts();
+            decided_ = (links_agree && contacts_agree) || iterations_ >= decisions_max;
+            if (!decided_) move_back();
         }
+        solved_ = decided_ && lengths_settled;
+        return solved_;
+    }
+    bool may_iterate() const { return iterations_ < input_.iterations_max; }
+    // Returns the number of iterations.
+    int end() {
         // Without contacts, each iterate is bounded and the next sub-step continues from it.
-        if (!acceptable_ && !input_.contacts.empty()) {
+        if (!solved_ && !acceptable_ && !input_.contacts.empty()) {
             take_soft_step();
-            iterations++;
+            iterations_++;
         }
         finish();
-        return iterations;
+        return iterations_;
     }
 
 private:
@@ -141,19 +153,22 @@ private:
             const double before = strand_.rest_lengths[i > 0 ? i - 1 : 0];
             const double after = strand_.rest_lengths[minimum_of(i, strand_.links() - 1)];
             const double least = minimum(before, after);
-            s.bend_weights[i] = time_weights(16 * strand_.bending_stiffness * h2_,
-                                             s.masses[i] * least * least * least);
+            s.bend_weights[i] = weights_of(16 * strand_.bending_stiffness * h2_,
+                                           s.masses[i] * least * least * least);
         }
     }
     TimeWeights weights_now(std::size_t k) const {
         const StrandScratch& s = scratch_;
-        return time_weights(4 * s.multipliers[k], minimum(s.masses[k], s.masses[k + 1]));
+        return weights_of(4 * s.multipliers[k], minimum(s.masses[k], s.masses[k + 1]));
+    }
+    TimeWeights weights_of(double stiffness, double mass) const {
+        return input_.coupled ? impact_weights(stiffness, mass) : time_weights(stiffness, mass);
     }
     static std::size_t minimum_of(std::size_t a, std::size_t b) { return a < b ? a : b; }
 
     void solve() {
         StrandScratch& s = scratch_;
-        const auto solve = bends() ? solve_rod : solve_chain;
+        const auto solve = bends() || input_.coupled ? solve_rod : solve_chain;
         solve(s.nodes, s.links, s.cross, s.elimination, s.displacements, s.changes);
     }
 
@@ -183,6 +198,8 @@ private:
         }
         for (StrandContact& contact : input_.contacts)
             if (contact.grip != ContactGrip::open) add_contact(contact);
+        if (input_.coupled)
+            for (std::size_t i = 0; i < nodes(); i++) s.nodes[i].right += s.pushes[i];
     }
 
     void add_link(std::size_t k) {
@@ -474,6 +491,8 @@ private:
             const double change = length_squared(s.displacements[k + 1] - s.displacements[k]);
             const double length = strand_.rest_lengths[k], square = length * length;
             settled = settled && change <= 2 * length_tolerance * square;
+            if (input_.coupled)
+                settled = settled && length_squared(s.displacements[k]) <= force_tolerance * square;
             acceptable_ = acceptable_ && change <= acceptable_change * square;
             far = far || change > farthest_change * square;
         }
@@ -537,7 +556,7 @@ private:
         for (std::size_t k = 0; k < strand_.links(); k++)
             strand_.force_densities[k] = s.multipliers[k] * inverse_h2;
         // The rows of fixed nodes are the impulses on their supports, after the last iteration.
-        const bool links_only = !bends() && input_.contacts.empty();
+        const bool links_only = !bends() && input_.contacts.empty() && !input_.coupled;
         if (!input_.loads.empty() && !links_only) assemble();
         for (NodeLoad& load : input_.loads) {
             const Vec3 sum = !load.fixed  ? load.mass * (strand_.positions[load.node] - load.target)
@@ -569,6 +588,8 @@ private:
     StrandScratch& scratch_;
     const double h2_;
     const double inverse_mass_per_length_, stretch_compliance_;  // m/kg, 1/(N s^2)
+    int iterations_ = 0;
+    bool decided_ = false, solved_ = false;
     bool acceptable_ = true;  // the edges changed little in the last iteration
 };
 
@@ -586,8 +607,33 @@ int advance_strand(Strand& strand, const SubstepInput& input, StrandScratch& scr
     ASSERT(strand.velocities.size() == strand.positions.size());
     ASSERT(strand.force_densities.size() == strand.links() && input.h > 0);
     ASSERT(input.forces.empty() || input.forces.size() == strand.positions.size());
-    scratch.iterations = Substep(strand, input, scratch).run();
+    Substep substep(strand, input, scratch);
+    substep.begin();
+    while (substep.may_iterate() && !substep.iterate()) {
+    }
+    scratch.iterations = substep.end();
     return scratch.iterations;
+}
+
+void advance_strands(std::span<StrandJob> jobs, StrandCoupling& coupling) {
+    std::vector<Substep> substeps;
+    for (StrandJob& job : jobs) {
+        ASSERT(job.input.coupled && job.scratch->pushes.size() == job.strand->positions.size());
+        substeps.emplace_back(*job.strand, job.input, *job.scratch);
+        substeps.back().begin();
+    }
+    for (bool solved = false; !solved && substeps[0].may_iterate();) {
+        for (Substep& substep : substeps) substep.linearise();
+        const bool settled = coupling.couple(jobs);
+        solved = true;
+        for (Substep& substep : substeps) solved = substep.conclude(settled) && solved;
+    }
+    for (std::size_t k = 0; k < jobs.size(); k++) jobs[k].scratch->iterations = substeps[k].end();
+}
+
+void solve_again(const StrandJob& job) {
+    StrandScratch& s = *job.scratch;
+    solve_rod(s.nodes, s.links, s.cross, s.elimination, s.displacements, s.changes);
 }
 
 double strand_energy(const Strand& strand, Vec3 gravity) {

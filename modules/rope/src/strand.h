@@ -39,6 +39,15 @@ inline TimeWeights time_weights(double stiffness, double mass) {
     return {(both + 3 * stiffness) * share, (both - stiffness) * share};
 }
 
+// The same for strands that touch others, whose links turn by much in an impact: a tension in the
+// direction of the mean of start and end adds no energy however much a link turns, and a direction
+// nearer to the end takes some.
+inline TimeWeights impact_weights(double stiffness, double mass) {
+    if (!(stiffness > mass)) return {};
+    if (stiffness < 2 * mass) return {0.5 * (stiffness - mass) / mass, 0};
+    return {0.5 + 0.5 * (stiffness - 2 * mass) / (stiffness + 28 * mass), 0};
+}
+
 // State of a strand.
 struct Strand {
     std::vector<physics::Vec3> positions, velocities;  // per node, m and m/s
@@ -98,6 +107,7 @@ struct SubstepInput {
     std::span<NodeLoad> loads = {};              // at most one per node
     std::span<Clamp> clamps = {};                // at held ends
     std::span<StrandContact> contacts = {};
+    bool coupled = false;  // to other links by a StrandCoupling
     int iterations_max = 12;
 };
 
@@ -115,13 +125,35 @@ struct StrandScratch {
     std::vector<double> changes, multipliers, used_multipliers, masses;
     std::vector<TimeWeights> weights, bend_weights;  // per link, per node
     std::vector<LinkLaw> laws;                       // per link
-    int iterations = 0;                              // of the last sub-step
+    // Of a StrandCoupling, per node: force times h^2, kg m.
+    std::vector<physics::Vec3> pushes;
+    int iterations = 0;  // of the last sub-step
 };
 
 // Mass of a node, kg: half of the links at it.
 double node_mass(const Strand& strand, std::size_t node);
 // Advances a strand by a sub-step. Returns the number of Newton iterations.
 int advance_strand(Strand& strand, const SubstepInput& input, StrandScratch& scratch);
+
+// A strand of a coupled system in a sub-step.
+struct StrandJob {
+    Strand* strand = nullptr;
+    SubstepInput input = {};
+    StrandScratch* scratch = nullptr;
+};
+// Forces between links of one or several strands. Each iteration linearises the strands; the
+// coupling then solves for its forces and the displacements of all nodes together.
+class StrandCoupling {
+public:
+    virtual ~StrandCoupling() = default;
+    // The systems of the strands are assembled with StrandScratch::pushes and solved. Changes the
+    // pushes, the right sides and the displacements. Returns whether the forces are settled.
+    virtual bool couple(std::span<StrandJob> jobs) = 0;
+};
+// Advances strands whose inputs are `coupled`.
+void advance_strands(std::span<StrandJob> jobs, StrandCoupling& coupling);
+// Solves the system of a strand again, after a change of the right sides of nodes.
+void solve_again(const StrandJob& job);
 // Kinetic energy, elastic energy, and their sum with the weight, J.
 double strand_energy(const Strand& strand, physics::Vec3 gravity);
 

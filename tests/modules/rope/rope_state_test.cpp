@@ -5,6 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <limits>
 
 #include "jostle/modules/rope.h"
@@ -25,7 +26,8 @@ Ropes& ropes_of(World& world) {
 }
 
 // Every feature at once: loads, a bar, a winch, a rod that is held at one end, a rope that breaks,
-// a rope that falls onto bodies, and one between two bodies.
+// a rope that falls onto bodies, ropes that fall onto each other and themselves, and one between
+// two bodies.
 World lively(int threads) {
     register_ropes();
     World world = test::make_world({.threads = threads});
@@ -55,7 +57,17 @@ World lively(int threads) {
                   {.geometry = k % 2 == 0 ? Geometry(Sphere{0.3}) : Geometry(Box{{0.3, 0.2, 0.3}}),
                    .position = {0.7 * k - 2, 0.4, 2},
                    .density = 80});
-    test::must(ropes.add(world, {.points = {{-2.5, 1.6, 1.9}, {2.5, 1.7, 2.1}}, .links = 50}));
+    test::must(ropes.add(
+        world,
+        {.points = {{-2.5, 1.6, 1.9}, {2.5, 1.7, 2.1}}, .links = 50, .collide_ropes = true}));
+    // It falls on the last one, and the next one on itself.
+    test::must(ropes.add(
+        world, {.points = {{0, 1.8, 1.2}, {0.3, 1.9, 2.8}}, .links = 20, .collide_ropes = true}));
+    RopeDef coil{.links = 60, .radius = 0.015, .collide_self = true};
+    for (int k = 0; k <= 40; k++)
+        coil.points.push_back(
+            {3 + 0.12 * std::cos(0.6 * k), 0.3 + 0.03 * k, 2 + 0.12 * std::sin(0.6 * k)});
+    test::must(ropes.add(world, coil));
     const BodyId a = test::add(world, {.geometry = Sphere{0.2}, .position = {-1, 3, -2}});
     const BodyId b = test::add(world, {.geometry = Sphere{0.2}, .position = {1, 3, -2}});
     const RopeKey between = test::must(

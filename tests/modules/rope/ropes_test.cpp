@@ -7,38 +7,12 @@
 
 #include <cmath>
 
+#include "tests/modules/rope/rope_world.h"
+
 namespace jostle::modules {
 namespace {
 
 using namespace physics;
-
-constexpr double dt = 1.0 / 60, g = 9.81;
-
-struct RopeWorld {
-    World world;
-    Ropes* ropes;
-
-    explicit RopeWorld(const WorldDef& def = {}) : world(def) {
-        auto module = std::make_unique<Ropes>();
-        ropes = module.get();
-        world.add_module(std::move(module)).expect();
-    }
-    BodyId box(Vec3 at, double mass, Vec3 half = {0.2, 0.2, 0.2}) {
-        const double volume = 8 * half.x * half.y * half.z;
-        return world
-            .create_body({.pose = {at, {}}}, {.geometry = Box{half}, .density = mass / volume})
-            .value();
-    }
-    void run(double seconds) {
-        for (int n = 0; n < std::lround(seconds / dt); n++) world.step(dt).expect();
-    }
-    double length_of(RopeKey rope) const {
-        double sum = 0;
-        const auto x = ropes->positions(rope);
-        for (std::size_t k = 1; k < x.size(); k++) sum += length(x[k] - x[k - 1]);
-        return sum;
-    }
-};
 
 TEST(Ropes, carry_ten_times_their_mass_without_stretching) {
     RopeWorld w;

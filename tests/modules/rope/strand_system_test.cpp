@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include "modules/rope/src/strand_compliance.h"
+
 namespace jostle::modules::rope_detail {
 namespace {
 
@@ -98,6 +100,29 @@ TEST(StrandSystem, solves_rods_with_contacts_and_fixed_nodes) {
             solve_rod(s.nodes, s.links, s.cross, memory, d, u);
             EXPECT_LT(residual(s, d, u), 1e-11);
         }
+}
+
+TEST(StrandSystem, compliance_is_the_motion_of_nodes_by_forces_on_others) {
+    for (const bool bends : {false, true}) {
+        System s = random_system(24, bends, true);
+        StrandElimination memory;
+        std::vector<Vec3> d(s.nodes.size()), before(s.nodes.size());
+        std::vector<double> u(s.links.size());
+        solve_rod(s.nodes, s.links, s.cross, memory, before, u);
+        const std::vector<std::uint32_t> nodes{3, 4, 9, 15, 23, 24};
+        StrandCompliance compliance;
+        compliance.compute(s.links, memory, nodes);
+        const Vec3 force{0.3, -0.7, 0.4};
+        for (std::size_t from = 0; from < nodes.size(); from++) {
+            System pushed = s;
+            pushed.nodes[nodes[from]].right += force;
+            solve_rod(pushed.nodes, pushed.links, pushed.cross, memory, d, u);
+            for (std::size_t to = 0; to < nodes.size(); to++)
+                EXPECT_LT(
+                    length(before[nodes[to]] + compliance.block(to, from) * force - d[nodes[to]]),
+                    1e-11);
+        }
+    }
 }
 
 TEST(StrandSystem, gives_the_same_solution_of_a_chain_by_both_eliminations) {

@@ -41,10 +41,12 @@ struct RopeDef {
     /// push. Above 0 it also resists compression, as a rod.
     double bending_stiffness = 0;
     double damping = 0.1;        ///< 1/s, 0 to 1e4: decay of velocities, as by air
-    double friction = 0.5;       ///< 0 to 10, combined with that of shapes by the geometric mean
+    double friction = 0.5;       ///< 0 to 10, combined with that of others by the geometric mean
     double breaking_load = 0;    ///< N, 0 to 1e12; 0: unbreakable
     std::uint32_t substeps = 8;  ///< least sub-steps per step, 1 to 64
     bool collide_bodies = true;  ///< whether it touches the shapes of the world
+    bool collide_self = false;   ///< whether its links touch each other, as in a knot
+    bool collide_ropes = false;  ///< whether it touches other ropes of which this is true
     /// Touches shapes with one of these categories, except those of bodies that it is attached to.
     std::uint32_t body_categories = 0xffffffff;
     std::uint32_t color = 0xc8a060;  ///< 0xRRGGBB, for clients

@@ -6,8 +6,8 @@ const world: WorldInfo = { id: 'w1', name: 'track', scene: 'race_track', bodies:
 const room = { title: 'Night race', description: 'Six cars', tags: ['cars'], capacity: 6, isPrivate: true, players: 6, spectators: 0 };
 
 it('describes worlds and rooms', () => {
-  expect(aboutWorld(world)).toBe('6 players · 1 body');
-  expect(aboutWorld({ ...world, room, paused: 'by the owner' })).toBe('6 of 6 players · 1 body · private · full · paused');
+  expect(aboutWorld(world)).toBe('6\u00a0players · 1\u00a0body');
+  expect(aboutWorld({ ...world, room, paused: 'by the owner' })).toBe('6\u00a0of\u00a06\u00a0players · 1\u00a0body · private · full · paused');
 });
 
 it('searches name, title, description, scene and tags', () => {

@@ -59,7 +59,8 @@ export function aboutWorld({ bodies, clients, paused, room }: WorldInfo): string
   if (room?.isPrivate) parts.push('private');
   if (room?.capacity && clients >= room.capacity) parts.push('full');
   if (paused) parts.push('paused');
-  return parts.join(' · ');
+  // A line breaks between parts only.
+  return parts.map((part) => part.replaceAll(' ', '\u00a0')).join(' · ');
 }
 
 /** Whether the text occurs in the name, the title, the description, the scene or a tag. */

@@ -1,8 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// 420 steps give the same bits with 1, 2 and 4 threads, including events. The last disturbance is
-// in step 300. The thread sanitizer is about fifteen times slower and only looks for races, so it
-// runs fewer steps.
+// 600 steps give the same bits with 1, 2 and 4 threads, including events. The thread sanitizer is
+// about fifteen times slower and only looks for races, so it runs fewer steps.
 #include <gtest/gtest.h>
 
 #include "tests/support/test_scenes.h"
@@ -14,7 +13,7 @@ using namespace physics;
 #ifdef __SANITIZE_THREAD__
 constexpr int steps = 150;
 #else
-constexpr int steps = 420;
+constexpr int steps = 600;
 #endif
 
 class Threads : public testing::TestWithParam<TestScene> {};

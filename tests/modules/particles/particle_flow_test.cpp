@@ -157,7 +157,7 @@ double chi_square(std::span<const Vec3> points, int cells, Vec3 low, Vec3 size) 
 TEST(ParticleFlow, tracers_stay_even_in_a_box_of_walls) {
     const Vec3 low{0, 0, 0}, size{2, 2, 2};
     ParticleGroupDef def{.integrator = ParticleIntegrator::runge_kutta_4,
-                         .count_max = 40000,
+                         .count_max = 100000,
                          .follow_flow = true,
                          .collide_bodies = false};
     def.flow = {.speed = 1, .scale = 0.8, .rate = 0, .octaves = 1, .ramp = 0.5};
@@ -169,7 +169,7 @@ TEST(ParticleFlow, tracers_stay_even_in_a_box_of_walls) {
             def.flow.walls.push_back(wall);
         }
     test::Random random(12);
-    std::vector<ParticleStart> tracers(40000);
+    std::vector<ParticleStart> tracers(100000);
     for (ParticleStart& tracer : tracers)
         tracer.position = {random.in(0, 2), random.in(0, 2), random.in(0, 2)};
     ParticleGroup group = group_of(def, tracers);
@@ -177,7 +177,7 @@ TEST(ParticleFlow, tracers_stay_even_in_a_box_of_walls) {
     double moved = 0;
     for (std::size_t k = 0; k < tracers.size(); k++) {
         const Vec3 p = group.positions()[k];
-        moved += length(p - tracers[k].position) / 4e4;
+        moved += length(p - tracers[k].position) / 1e5;
         ASSERT_TRUE(p.x >= 0 && p.y >= 0 && p.z >= 0 && p.x <= 2 && p.y <= 2 && p.z <= 2) << k;
     }
     EXPECT_GT(moved, 0.3) << "the tracers mix";

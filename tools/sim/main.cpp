@@ -3,6 +3,7 @@
 // jostle-sim: runs a scene offline, as fast as possible.
 #include <CLI/CLI.hpp>
 #include <algorithm>
+#include <chrono>
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -402,10 +403,13 @@ int run(const Flags& flags) {
         jostle::sim::Progress progress(steps);
         for (std::uint64_t step = 1; step <= steps; step++) {
             const double before = process_cpu_ms();
+            const auto began = std::chrono::steady_clock::now();
             if (const Status s = built->world.step(1 / scene->hz); !s.ok())
                 return fail(1, s.error().message);
+            const std::chrono::duration<double, std::milli> took =
+                std::chrono::steady_clock::now() - began;
             cpu_ms += process_cpu_ms() - before;
-            meter.add(built->world.profile());
+            meter.add(built->world.profile(), took.count());
             if (built->world.tolerance() > 0) tolerance.add(built->world.island_substeps());
             if (trace && step % static_cast<std::uint64_t>(flags.trace_every) == 0)
                 trace->write(built->world.step_count(), *built, *scene);

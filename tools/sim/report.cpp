@@ -11,10 +11,11 @@ namespace jostle::sim {
 using physics::Stage;
 using physics::stage_count;
 
-void StepStatistics::add(const physics::StepProfile& profile) {
-    step_ms_.push_back(profile.step_ms);
-    if (step_ms_.size() > 1 && profile.step_ms > worst_.step_ms) {
+void StepStatistics::add(const physics::StepProfile& profile, double step_ms) {
+    step_ms_.push_back(step_ms);
+    if (step_ms_.size() > 1 && step_ms > worst_step_ms_) {
         worst_ = profile;
+        worst_step_ms_ = step_ms;
         worst_step_ = step_ms_.size();
     }
     const auto work = static_cast<double>(profile.work);
@@ -47,7 +48,7 @@ void StepStatistics::fill(Report& report, const physics::World& world) const {
     report.work_worst = worst_work_;
     report.steps_at_overload_level = steps_at_overload_level_;
     report.worst_step = worst_step_;
-    report.worst_step_ms = worst_.step_ms;
+    report.worst_step_ms = worst_step_ms_;
     report.worst_stage = worst_.worst_stage;
     report.worst_stage_ms = worst_.worst_stage_ms;
     for (std::size_t k = 0; k < stage_count; k++) {

@@ -42,12 +42,15 @@ struct Report {
 // Accumulates step profiles.
 class StepStatistics {
 public:
-    void add(const physics::StepProfile& profile);
+    // `step_ms`: wall clock of the step with the work of modules before it, which the profile does
+    // not contain.
+    void add(const physics::StepProfile& profile, double step_ms);
     void fill(Report& report, const physics::World& world) const;
 
 private:
     std::vector<double> step_ms_;
     physics::StepProfile worst_;  // of all steps except the first
+    double worst_step_ms_ = 0;
     std::uint64_t worst_step_ = 0;
     double work_ = 0, worst_work_ = 0;
     std::array<std::uint64_t, physics::max_overload_level + 1> steps_at_overload_level_{};

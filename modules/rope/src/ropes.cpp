@@ -21,6 +21,22 @@ namespace {
 
 // Work of a link in a sub-step, in units of StepProfile::work, times 100.
 constexpr std::int64_t link_work = 80;
+// The same per link of ropes near each other, and per square of the number of touching links.
+constexpr std::int64_t near_link_work = 2000, touching_work = 600;
+
+// In a sub-step, of a leader and its companions.
+std::int64_t contact_work(const Rope& leader) {
+    std::int64_t links = 0, touching = 0;
+    const auto count = [&](const Rope& rope) {
+        if (rope.link_contacts.empty()) return;
+        links += static_cast<std::int64_t>(rope.strand.links());
+        touching += std::ranges::count_if(
+            rope.link_contacts, [](const auto& contact) { return contact.force != Vec3{}; });
+    };
+    count(leader);
+    for (const Rope* companion : leader.companions) count(*companion);
+    return links * near_link_work + touching * touching * touching_work;
+}
 
 Error unknown(RopeKey key) {
     return Error{ErrorCode::not_found, "no rope has the key " + std::to_string(key.number)};
@@ -341,8 +357,9 @@ void Ropes::before_step(World& world, double dt) {
                 rope_detail::find_bodies(world, *rope, dt);
     for (const auto& rope : ropes_) {
         if (!rope->awake) continue;
-        work += static_cast<std::int64_t>(rope->strand.links()) *
-                std::max<std::int64_t>(rope->def.substeps, world.substeps()) * link_work;
+        std::int64_t each = static_cast<std::int64_t>(rope->strand.links()) * link_work;
+        if (rope->leader == nullptr) each += contact_work(*rope);
+        work += each * std::max<std::int64_t>(rope->def.substeps, world.substeps());
         if (rope->leader == nullptr && rope->bodies.ties().bodies().empty())
             alone.push_back(rope.get());
     }

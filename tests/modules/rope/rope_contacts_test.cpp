@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
 #include <span>
 #include <vector>
 
@@ -167,10 +168,15 @@ TEST(RopeContacts, a_knot_holds_100_n) {
         }
         const auto x = w.ropes->positions(rope);
         const double missing = (whole - length(x.back() - x.front())) / 0.024;
+        // In units of 0.1 us: contacts count towards the budget of a step.
+        const std::int64_t work = w.world.profile().module_work;
         if (!collide) {
             EXPECT_LT(missing, 1);
+            EXPECT_LT(work, 1000);
             continue;
         }
+        EXPECT_GT(work, 8000);
+        EXPECT_LT(work, 80000);
         EXPECT_EQ(passes, 0);
         EXPECT_GT(missing, 8);
         EXPECT_LT(missing, 14);

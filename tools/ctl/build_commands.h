@@ -3,7 +3,9 @@
 // Commands of jostlectl that inspect and change bodies and joints.
 #pragma once
 
-#include "tools/ctl/commands.h"
+#include "tools/ctl/command_arguments.h"
+#include "tools/ctl/connection.h"
+#include "tools/ctl/outcome.h"
 
 namespace jostle::ctl {
 

@@ -1,15 +1,23 @@
 // SPDX-License-Identifier: MIT
 //
-// Outcomes of commands from responses of the server, and from faults of flags and files.
+// Outcomes of commands: the text to print, from responses of the server, or an error of the server
+// or in flags and files.
 #pragma once
 
 #include <string>
 #include <utility>
 
-#include "tools/ctl/commands.h"
+#include "jostle/base/result.h"
+#include "tools/ctl/command_arguments.h"
 #include "tools/ctl/report.h"
 
 namespace jostle::ctl {
+
+struct Outcome {
+    std::string text;             // for standard output
+    std::string error;            // for standard error; empty: success
+    bool is_usage_error = false;  // the error is in flags or files, not in the server
+};
 
 inline Outcome server_error(const Error& error) {
     return {.error = error.message};

@@ -3,7 +3,9 @@
 // Commands of jostlectl about the room of a world: settings, roles, moderation and time.
 #pragma once
 
-#include "tools/ctl/commands.h"
+#include "tools/ctl/command_arguments.h"
+#include "tools/ctl/connection.h"
+#include "tools/ctl/outcome.h"
 
 namespace jostle::ctl {
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include "jostle/modules/deformables.h"
+#include "jostle/physics/module.h"
 
 namespace jostle::modules {
 

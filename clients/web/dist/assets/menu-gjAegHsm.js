@@ -1,1 +1,0 @@
-import{t as e}from"./index-Bt6Pf4S8.js";function t(t,n,r,i){let a=[...n.map(({id:e,icon:t,title:n,hint:i})=>({icon:t,label:n,hint:i,run:()=>r(e)})),...i];return t.className=`menu`,t.append(...a.map(({icon:t,label:n,hint:r,run:i})=>{let a=e(t,n,n),o=document.createElement(`small`);return o.textContent=r,a.append(o),a.onclick=i,a})),{}}export{t as menuPanel};

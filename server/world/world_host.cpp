@@ -19,8 +19,6 @@ namespace {
 
 // Length of a rest. A checkpoint or an operator's request may wait for this long.
 constexpr double rest_seconds = 0.25;
-// A heartbeat to a client shows a tick that is this many ticks old at most.
-constexpr int rest_ticks_with_clients = 2;
 // A world rests after this time without a change.
 constexpr double rests_after_seconds = 1;
 
@@ -230,11 +228,11 @@ int WorldHost::rest_ticks_max() const {
 int WorldHost::rest_ticks(const Frame& frame) const {
     const auto unchanged = static_cast<double>(frame.tick - frame.changed_at);
     const bool rests = (frame.awake == 0 || frame.paused) &&
-                       unchanged > rests_after_seconds * properties_.hz && results_.empty() &&
+                       unchanged > rests_after_seconds * properties_.hz &&
+                       publisher_.listeners().streams.load() == 0 && results_.empty() &&
                        scheduler_.waiting() == 0 && mailbox_.is_empty() &&
                        !queries_.is_requested() && !tick_metrics_.is_recording();
-    if (!rests) return 1;
-    return publisher_.listeners().streams.load() == 0 ? rest_ticks_max() : rest_ticks_with_clients;
+    return rests ? rest_ticks_max() : 1;
 }
 
 void WorldHost::run_resting_tick(Clock::time_point due) {

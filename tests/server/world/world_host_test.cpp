@@ -163,7 +163,7 @@ TEST(WorldHost, a_world_without_clients_rests_until_a_command_arrives) {
     }
     EXPECT_LT(longest_ms, 100);
     EXPECT_NE(host->query_frame(copy_shapes), nullptr);
-    // With a client it publishes every second tick.
+    // With a client it publishes every tick.
     host->listeners().streams++;
     host->wake();
     const int watched = frames;

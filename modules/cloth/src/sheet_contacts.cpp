@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "jostle/base/check.h"
+#include "jostle/modules/segments.h"
 #include "jostle/physics/scalar.h"
 
 namespace jostle::modules::cloth_detail {
@@ -49,24 +50,6 @@ std::array<double, 3> closest_on_triangle(Vec3 p, Vec3 a, Vec3 b, Vec3 c) {
     const double sum = va + vb + vc;
     if (!(sum > 0)) return {1, 0, 0};
     return {va / sum, vb / sum, vc / sum};
-}
-
-// Closest points of two segments, as fractions from a0 and b0 (Ericson, 5.1.9).
-std::array<double, 2> closest_on_segments(Vec3 a0, Vec3 a1, Vec3 b0, Vec3 b1) {
-    const Vec3 d1 = a1 - a0, d2 = b1 - b0, r = a0 - b0;
-    const double a = dot(d1, d1), e = dot(d2, d2), f = dot(d2, r), c = dot(d1, r);
-    if (!(a > 0) || !(e > 0)) return {0, e > 0 ? clamp(f / e, 0, 1) : 0};
-    const double b = dot(d1, d2), determinant = a * e - b * b;
-    double s = determinant > 1e-12 * a * e ? clamp((b * f - c * e) / determinant, 0, 1) : 0;
-    double t = (b * s + f) / e;
-    if (t < 0) {
-        t = 0;
-        s = clamp(-c / a, 0, 1);
-    } else if (t > 1) {
-        t = 1;
-        s = clamp((b - c) / a, 0, 1);
-    }
-    return {s, t};
 }
 
 // Boxes by the cell of their low corner. No box is longer than a cell. The results and their order
@@ -303,7 +286,7 @@ void SheetContacts::find_edges(double reach, double longest) {
             if (u.x < low.x || u.y < low.y || u.z < low.z || l.x > high.x || l.y > high.y ||
                 l.z > high.z)
                 return;
-            const auto [s, t] = closest_on_segments(start_[a0], start_[a1], p, q);
+            const auto [s, t] = closest_on_segments(start_[a0], start_[a1], p, q, 0);
             const double distance =
                 length(start_[a0] + (start_[a1] - start_[a0]) * s - (p + (q - p) * t));
             if (distance > reach) return;
@@ -357,8 +340,8 @@ void SheetContacts::push_apart() {
         separate(vertices, weights, part_of(pair.vertex), part_of(a));
     }
     for (const Edges& pair : edges_) {
-        const auto [s, t] =
-            closest_on_segments(end_of(pair.a0), end_of(pair.a1), end_of(pair.b0), end_of(pair.b1));
+        const auto [s, t] = closest_on_segments(end_of(pair.a0), end_of(pair.a1), end_of(pair.b0),
+                                                end_of(pair.b1), 0);
         const std::uint32_t vertices[] = {pair.a0, pair.a1, pair.b0, pair.b1};
         const double weights[] = {1 - s, s, t - 1, -t};
         separate(vertices, weights, part_of(pair.a0), part_of(pair.b0));

@@ -39,15 +39,7 @@ void find_companions(std::span<const std::unique_ptr<Rope>> ropes, double dt, Ve
     };
     Companions companions;
     companions.find(reaches, moves_into);
-    for (std::uint32_t k = 0; k < touching.size(); k++) {
-        if (companions.is_woken(k)) wake(*touching[k]);
-        const std::uint32_t leader = companions.leader(k);
-        if (leader == k) continue;
-        touching[k]->leader = touching[leader];
-        touching[leader]->companions.push_back(touching[k]);
-    }
-    for (const auto& [leader, obstacle] : companions.obstacles())
-        touching[leader]->obstacles.push_back(touching[obstacle]);
+    companions.assign(std::span<Rope* const>(touching), wake);
 }
 
 void forget_companion(std::span<const std::unique_ptr<Rope>> ropes, const Rope& removed) {

@@ -6,6 +6,7 @@
 #include <tuple>
 
 #include "jostle/base/check.h"
+#include "jostle/modules/segments.h"
 #include "jostle/physics/aabb.h"
 #include "jostle/physics/scalar.h"
 #include "modules/rope/src/rope_data.h"
@@ -33,25 +34,6 @@ constexpr int sweeps_max = 60;
 constexpr double sweep_tolerance = 1e-5;
 // Compliance of contacts relative to their response.
 constexpr double relative_compliance = 1e-6;
-
-// Closest points of two segments, as fractions from a0 and b0 (C. Ericson, Real-Time Collision
-// Detection, 5.1.9).
-std::array<double, 2> closest_on_segments(Vec3 a0, Vec3 a1, Vec3 b0, Vec3 b1) {
-    const Vec3 d1 = a1 - a0, d2 = b1 - b0, r = a0 - b0;
-    const double a = dot(d1, d1), e = dot(d2, d2), f = dot(d2, r), c = dot(d1, r);
-    if (!(a > 0) || !(e > 0)) return {0, e > 0 ? clamp(f / e, 0, 1) : 0};
-    const double b = dot(d1, d2), determinant = a * e - b * b;
-    double s = determinant > 1e-12 * a * e ? clamp((b * f - c * e) / determinant, 0, 1) : 0.5;
-    double t = (b * s + f) / e;
-    if (t < 0) {
-        t = 0;
-        s = clamp(-c / a, 0, 1);
-    } else if (t > 1) {
-        t = 1;
-        s = clamp((b - c) / a, 0, 1);
-    }
-    return {s, t};
-}
 
 double speed_of(const Strand& strand) {
     double most = 0;
@@ -199,7 +181,7 @@ int RopeContacts::parts_of(double h, int least) {
         if (motion <= maximum(most, least) * allowed) continue;
         const Vec3 a0 = a.strand.positions[pair.a.link], a1 = a.strand.positions[pair.a.link + 1];
         const Vec3 b0 = b.strand.positions[pair.b.link], b1 = b.strand.positions[pair.b.link + 1];
-        const auto [s, t] = closest_on_segments(a0, a1, b0, b1);
+        const auto [s, t] = closest_on_segments(a0, a1, b0, b1, 0.5);
         const Vec3 between = a0 + (a1 - a0) * s - (b0 + (b1 - b0) * t);
         const double reach = (a.def.radius + b.def.radius) * (1 + near_share) + 2 * motion;
         if (length_squared(between) > reach * reach) continue;
@@ -217,7 +199,7 @@ bool RopeContacts::place(Contact& c, double most) const {
     const Rope &a = *ropes_[c.a.rope], &b = *ropes_[c.b.rope];
     const Vec3 a0 = a.strand.positions[c.a.link], a1 = a.strand.positions[c.a.link + 1];
     const Vec3 b0 = b.strand.positions[c.b.link], b1 = b.strand.positions[c.b.link + 1];
-    const auto [s, t] = closest_on_segments(a0, a1, b0, b1);
+    const auto [s, t] = closest_on_segments(a0, a1, b0, b1, 0.5);
     c.apart = a0 + (a1 - a0) * s - (b0 + (b1 - b0) * t);
     double distance = length(c.apart);
     if (distance > most * (1 + near_share) + h_ * speed_) return false;

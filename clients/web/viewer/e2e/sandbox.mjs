@@ -187,7 +187,9 @@ export async function testEditing({ page, until, expect, idsOf, get, clickBody, 
   expect((await page.locator('#inspector button', { hasText: 'Unfreeze' }).count()) === 1, 'a frozen body can be unfrozen');
   await page.keyboard.press('x');
   await until('the crate moves again', async () => (await get('inspected'))?.frozen === false);
-  expect(Math.abs((await yOf(crate)) - 0.5) < 0.05, 'freezing does not move the crate');
+  // A changed entity has no pose until the next rendered frame.
+  const y = await until('the crate is rendered', () => yOf(crate));
+  expect(Math.abs(y - 0.5) < 0.05, 'freezing does not move the crate');
 
   // A spawned body has the chosen size, mass and material.
   await page.keyboard.press('b');

@@ -37,6 +37,20 @@ public:
     std::span<const std::pair<std::uint32_t, std::uint32_t>> obstacles() const {
         return obstacles_;
     }
+    /// Gives the deformables, in the order of their reaches, their leader (null: they lead),
+    /// companions and obstacles. Calls `wake` with those that are woken.
+    template <class Deformable, class Wake>
+    void assign(std::span<Deformable* const> deformables, const Wake& wake) const {
+        for (std::uint32_t k = 0; k < deformables.size(); k++) {
+            if (is_woken(k)) wake(*deformables[k]);
+            Deformable* const first = deformables[leader(k)];
+            if (first == deformables[k]) continue;
+            deformables[k]->leader = first;
+            first->companions.push_back(deformables[k]);
+        }
+        for (const auto& [first, obstacle] : obstacles_)
+            deformables[first]->obstacles.push_back(deformables[obstacle]);
+    }
 
 private:
     using Pair = std::pair<std::uint32_t, std::uint32_t>;

@@ -12,8 +12,7 @@ namespace jostle::server {
 
 namespace {
 
-// Rests that take longer than this end at its multiples, so that many resting worlds share few
-// wake-ups of a thread.
+// Rests end at multiples of this time, so that many resting worlds share few wake-ups of a thread.
 constexpr Clock::duration rest_grid = std::chrono::milliseconds(50);
 
 Clock::time_point end_of_rest(Clock::time_point earliest) {
@@ -30,7 +29,7 @@ TickLoop::~TickLoop() {
 void TickLoop::start(std::shared_ptr<TickPool> pool, const Settings& settings,
                      Clock::time_point epoch, Run run, std::function<bool()> stopped,
                      std::function<void(const char*)> on_error) {
-    ASSERT(!pool_ && pool && run && stopped && settings.rest_ticks_max >= 1);
+    ASSERT(!pool_ && pool && run && stopped && settings.rest_ticks >= 1);
     settings_ = settings;
     clock_.emplace(epoch, settings.hz, settings.catch_up_ticks_max);
     clock_->set_hz(settings.speed * settings.hz);
@@ -56,21 +55,21 @@ void TickLoop::end_rest() {
     wake_at_ = clock_->next_due();
 }
 
-int TickLoop::ticks_of_rest() const {
+int TickLoop::rest_ticks_max() const {
     const double in_grid = to_ms(rest_grid) / 1000 * settings_.hz * std::max(1.0, settings_.speed);
-    return settings_.rest_ticks_max + static_cast<int>(std::ceil(in_grid));
+    return settings_.rest_ticks + static_cast<int>(std::ceil(in_grid));
 }
 
 bool TickLoop::run_due() {
     const Clock::time_point begun = Clock::now();
     const bool rested = rests_.exchange(false);
     woken_.store(false);
-    int rest_ticks = 1;
+    bool may_rest = false;
     try {
-        for (int left = clock_->due(begun, rested ? ticks_of_rest() : 0); left > 0; left--) {
+        for (int left = clock_->due(begun, rested ? rest_ticks_max() : 0); left > 0; left--) {
             if (stopped_()) return false;
             const Clock::time_point due = clock_->begin_tick();
-            rest_ticks =
+            may_rest =
                 run_({.due = due, .late_ticks = clock_->late_ticks(), .following = left - 1});
         }
     } catch (const std::exception& error) {
@@ -79,13 +78,10 @@ bool TickLoop::run_due() {
     }
     if (stopped_()) return false;
     last_run_ = Clock::now() - begun;
-    ASSERT(rest_ticks >= 1);
-    rest_ticks = std::min(rest_ticks, settings_.rest_ticks_max);
-    rests_.store(rest_ticks > 1);
+    rests_.store(may_rest && settings_.rest_ticks > 1);
     if (rests_.load() && woken_.load()) rests_.store(false);
-    if (!rests_.load()) rest_ticks = 1;
-    const Clock::time_point earliest = clock_->next_due(rest_ticks - 1);
-    wake_at_ = earliest - begun > rest_grid ? end_of_rest(earliest) : earliest;
+    wake_at_ = rests_.load() ? end_of_rest(clock_->next_due(settings_.rest_ticks - 1))
+                             : clock_->next_due();
     return true;
 }
 

@@ -22,7 +22,7 @@ public:
     struct Settings {
         double hz = 60;
         int catch_up_ticks_max = 4;  // ticks that run at once after a delay
-        int rest_ticks_max = 1;      // ticks that run at once while the world rests
+        int rest_ticks = 1;          // ticks that run at once while the world rests
         double speed = 1;            // share of `hz` at which ticks begin
     };
     struct Tick {
@@ -30,9 +30,8 @@ public:
         std::uint32_t late_ticks = 0;  // skipped so far
         int following = 0;             // further ticks that run directly after this one
     };
-    // Returns the number of ticks that may run at once from now on, 1: the world does not rest; the
-    // result counts after the last of several ticks.
-    using Run = std::function<int(const Tick& tick)>;
+    // Returns whether the world may rest; the result counts after the last of several ticks.
+    using Run = std::function<bool(const Tick& tick)>;
 
     TickLoop() = default;
     ~TickLoop() override;  // after stop(), or without a start
@@ -55,7 +54,7 @@ public:
     void stop();
 
 private:
-    int ticks_of_rest() const;  // those that are not late at the end of the longest rest
+    int rest_ticks_max() const;  // ticks that are not late at the end of a rest
     bool run_due() override;
     void end_rest() override;
 

@@ -119,7 +119,7 @@ WorldHost::WorldHost(WorldStart start, const WorldHostSettings& settings)
         settings_.tick_pool ? settings_.tick_pool : std::make_shared<TickPool>(1),
         {.hz = properties_.hz,
          .catch_up_ticks_max = settings_.catch_up_ticks_max,
-         .rest_ticks_max = rest_ticks_max(),
+         .rest_ticks = std::max(1, static_cast<int>(rest_seconds * properties_.hz)),
          .speed = start.speed_percent / 100.0},
         properties_.due_time(tick_), [this](const TickLoop::Tick& tick) { return run_tick(tick); },
         [this] { return lifecycle_.stopped(); },
@@ -212,27 +212,22 @@ QueryFramePtr WorldHost::query_frame(CopyLayers layers) {
     return queries_.acquire(layers);
 }
 
-int WorldHost::run_tick(const TickLoop::Tick& tick) {
-    if (rest_ticks_ > 1 && tick.following > 0) {
+bool WorldHost::run_tick(const TickLoop::Tick& tick) {
+    if (rests_ && tick.following > 0) {
         run_resting_tick(tick.due);
-        return rest_ticks_;
+        return true;
     }
     run_tick(tick.due, tick.late_ticks);
-    return rest_ticks_ = rest_ticks(*publisher_.frame());
+    rests_ = may_rest(*publisher_.frame());
+    return rests_;
 }
 
-int WorldHost::rest_ticks_max() const {
-    return std::max(1, static_cast<int>(rest_seconds * properties_.hz));
-}
-
-int WorldHost::rest_ticks(const Frame& frame) const {
+bool WorldHost::may_rest(const Frame& frame) const {
     const auto unchanged = static_cast<double>(frame.tick - frame.changed_at);
-    const bool rests = (frame.awake == 0 || frame.paused) &&
-                       unchanged > rests_after_seconds * properties_.hz &&
-                       publisher_.listeners().streams.load() == 0 && results_.empty() &&
-                       scheduler_.waiting() == 0 && mailbox_.is_empty() &&
-                       !queries_.is_requested() && !tick_metrics_.is_recording();
-    return rests ? rest_ticks_max() : 1;
+    return (frame.awake == 0 || frame.paused) && unchanged > rests_after_seconds * properties_.hz &&
+           publisher_.listeners().streams.load() == 0 && results_.empty() &&
+           scheduler_.waiting() == 0 && mailbox_.is_empty() && !queries_.is_requested() &&
+           !tick_metrics_.is_recording();
 }
 
 void WorldHost::run_resting_tick(Clock::time_point due) {

@@ -167,12 +167,11 @@ public:
 private:
     WorldHost(WorldStart start, const WorldHostSettings& settings);
     void run_tick(Clock::time_point due, std::uint32_t late_ticks);
-    int run_tick(const TickLoop::Tick& tick);  // returns rest_ticks()
+    bool run_tick(const TickLoop::Tick& tick);  // returns may_rest()
     // One of several ticks that run at once because the world rests.
     void run_resting_tick(Clock::time_point due);
     // Returns whether the world has no clients and nothing happens in it.
-    int rest_ticks_max() const;
-    int rest_ticks(const Frame& frame) const;
+    bool may_rest(const Frame& frame) const;
     // `refusal`: why no input is applied; nothing: inputs are applied.
     std::optional<Error> input_refusal(const std::optional<std::string>& paused) const;
     // Returns whether an input was applied although the world is paused.
@@ -223,7 +222,7 @@ private:
     bool step_refused_ = false, step_interrupted_ = false;
     Clock::time_point next_pairs_warning_{};
     bool step_aborted_ = false;                 // the end of the world aborted the last step
-    int rest_ticks_ = 1;                        // rest_ticks() of the last frame
+    bool rests_ = false;                        // may_rest() of the last frame
     std::uint32_t room_steps_ = 0;              // that members requested for a paused world
     const std::shared_ptr<Timeline> timeline_;  // null: the world is no room
     const std::shared_ptr<PlayerReports> reports_;
